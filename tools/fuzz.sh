@@ -19,7 +19,8 @@ findings=build/fuzz/findings
 
 # Target, share of the runs in percent, size limit of an input in bytes.
 targets="path 10 256
-hdr 20 4096
+ies 5 2048
+hdr 15 4096
 png 15 4096
 jpeg 13 4096
 webp 10 4096

@@ -6,6 +6,7 @@
 #include "bsdf_analysis/plausibility.h"
 #include "command.h"
 #include "json.h"
+#include "render/scene_warnings.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_counts.h"
 #include "scene_options.h"
@@ -52,7 +53,7 @@ json description_of(const render::Document& d, const scene::CompiledScene& compi
           {"variants", d.scene->variants},
           {"cameras", cameras},
           {"unsupported", d.scene->unsupported},
-          {"warnings", d.scene->warnings},
+          {"warnings", render::current_warnings(d)},
           {"makes_light", non_conserving_materials(compiled)},
           {"memory_bytes", compiled.memory()},
           {"model", flags}};

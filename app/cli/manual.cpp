@@ -14,7 +14,7 @@ namespace {
 
 struct ManualArguments {
   std::string out, source = ".";
-  bool images = false;
+  bool images = false, new_images = false;
   int threads = 0;
 };
 
@@ -28,8 +28,9 @@ Result<void> write_page(const std::filesystem::path& folder, const ManualPage& p
 int run_manual(const ManualArguments& a) {
   const auto sources = SourceFiles::open(a.source);
   if (!sources) return fail(sources.error());
-  if (a.images)
-    if (auto ok = write_manual_images(std::filesystem::path(a.out) / "images", a.threads); !ok) return fail(ok.error());
+  if (a.images || a.new_images)
+    if (auto ok = write_manual_images(std::filesystem::path(a.out) / "images", a.threads, !a.images); !ok)
+      return fail(ok.error());
   for (const ManualPage& page : manual_pages(*sources))
     if (auto ok = write_page(a.out, page); !ok) return fail(ok.error());
   return 0;
@@ -47,6 +48,9 @@ Command manual_command() {
                        .doc = "Checkout of the sources, whose comments become text of the pages; default: the current "
                               "folder"},
                       {.names = "--images", .target = &a->images, .doc = "Also render the images, which takes minutes"},
+                      {.names = "--new-images",
+                       .target = &a->new_images,
+                       .doc = "Also render the images that do not exist"},
                       threads_option(a->threads)},
           .run = [a] { return run_manual(*a); }};
 }

@@ -26,14 +26,17 @@ constexpr int kWidth = 240, kHeight = 180, kStressSize = 96;
 
 class ImageWriter {
  public:
-  ImageWriter(std::filesystem::path folder, int threads) : folder_(std::move(folder)), threads_(threads) {}
+  ImageWriter(std::filesystem::path folder, int threads, bool only_missing)
+      : folder_(std::move(folder)), threads_(threads), only_missing_(only_missing) {}
 
   Result<void> render(const std::string& kind, const std::string& name, render::Document document,
                       uint32_t samples) const {
+    if (only_missing_ && has(kind, name)) return {};
     document.width = kWidth;
     document.height = kHeight;
     const film::Film film = render::rendered(document, samples, threads_);
-    const std::vector<uint8_t> pixels = image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::agx);
+    const std::vector<uint8_t> pixels =
+        image::display_pixels(film::radiance_of(film), document.display.exposure, image::ToneCurve::agx);
     return write(kind, name, kWidth, kHeight, pixels);
   }
 
@@ -58,6 +61,7 @@ class ImageWriter {
 
   std::filesystem::path folder_;
   int threads_;
+  bool only_missing_;
 };
 
 // A sphere on a floor, and the camera that looks at it.
@@ -93,12 +97,16 @@ render::Document surface_stage(const BsdfModelRef& model) {
 
 // Intensities that give a similar exposure for all types.
 render::Document light_stage(const LightTypeInfo& type) {
-  const double intensity = type.description.quantity == &kLuminousIntensity    ? 40
-                           : type.description.quantity == &kIlluminance        ? 2.5
-                           : type.description.light_class == LightClass::area ? 14
-                                                                              : 0.8;
-  return stage(scene::diffuse(Rgb(0.7f)),
-               lit_by(make_light(type.description.name, {{"intensity", intensity}}), {2, 3.6f, 2}));
+  const LightClass light_class = type.description.light_class;
+  const double intensity = light_class == LightClass::delta_position    ? 40
+                           : light_class == LightClass::delta_direction ? 2.5
+                           : light_class == LightClass::area            ? 14
+                                                                        : 0.8;
+  Light light = make_light(type.description.name, {{"intensity", intensity}});
+  const std::string_view name = type.description.name;
+  if (name == "photometric") light.set("profile", std::string("batwing"));
+  if (name == "cylinder") light.set("intensity", 50.0);  // its surface is small
+  return stage(scene::diffuse(Rgb(0.7f)), lit_by(light, {2, 3.6f, 2}));
 }
 
 Result<void> write_integrators(const ImageWriter& out) {
@@ -128,6 +136,7 @@ Result<void> write_surfaces(const ImageWriter& out) {
   for (const auto& info : bsdf_model_infos()) {
     BsdfModelRef model;
     model.model = make_bsdf_model(info.description.name);
+    if (!is_black(model->mean_free_path())) model.model = model->with("scale", 200.0);  // a body of the size of a hand
     if (auto ok = out.render("surface", info.description.name, surface_stage(model), 128); !ok) return ok;
   }
   return {};
@@ -157,6 +166,7 @@ Result<void> write_environments(const ImageWriter& out) {
     render::Document d;
     d.scene = std::make_shared<const scene::Scene>(std::move(scene));
     d.camera = look_at({0, 1.6f, 6.2f}, {0, 0.95f, 0}, {0, 1, 0}, 0.62f);
+    if (d.scene->environment.sky) d.display.exposure = -14.5f;
     if (auto ok = out.render("environment", environment.name, d, 128); !ok) return ok;
   }
   return {};
@@ -194,10 +204,10 @@ Result<void> write_stress_case(const ImageWriter& out, const stress::Case& c) {
 
 }  // namespace
 
-Result<void> write_manual_images(const std::filesystem::path& folder, int threads) {
+Result<void> write_manual_images(const std::filesystem::path& folder, int threads, bool only_missing) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  const ImageWriter out(folder, threads);
+  const ImageWriter out(folder, threads, only_missing);
   for (const auto write :
        {write_integrators, write_samplers, write_surfaces, write_lights, write_environments, write_scenes_and_cameras})
     if (auto ok = write(out); !ok) return ok;

@@ -1,6 +1,7 @@
 // etendue probe: luminance, illuminance and flux at a point of the image, also in watts.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "command.h"
 #include "interrupt.h"
@@ -17,7 +18,7 @@ namespace {
 struct ProbeArguments {
   SceneArguments scene;
   std::string efficacy = "equal-energy";
-  std::vector<float> at;
+  std::vector<float> at, sensor;
   uint32_t samples = 1024;
   int threads = 0;
   bool json = false;
@@ -43,12 +44,26 @@ json reading_json(const render::MeterReading& r, Efficacy efficacy) {
           {"radiometric", radiometric(photometric, efficacy)}};
 }
 
+constexpr LightQuantity kLuminousExitance{"Luminous exitance", "lm/m^2", "Radiant exitance", "W/m^2"};
+constexpr LightQuantity kReceivedFlux{"Received flux", "lm", "Received power", "W"};
+
+json lights_json(const render::MeterReadings& m, Efficacy efficacy) {
+  json list = json::array();
+  for (const render::LightIntensity& light : m.lights)
+    list.push_back({{"name", light.name},
+                    {"distance", light.distance},
+                    {"intensity", reading_json({light.intensity, 0}, efficacy)}});
+  return list;
+}
+
 json readings_json(const render::MeterReadings& m, Efficacy efficacy) {
   return {{"position", vector_json(m.point.position)},
           {"normal", vector_json(m.point.normal)},
           {"radiance", reading_json(m.radiance, efficacy)},
           {"irradiance", reading_json(m.irradiance, efficacy)},
           {"emitted_flux", reading_json({m.emitted_flux, 0}, efficacy)},
+          {"emitted_exitance", reading_json({m.emitted_exitance, 0}, efficacy)},
+          {"lights", lights_json(m, efficacy)},
           {"lumens_per_watt", lumens_per_watt(efficacy)},
           {"spp", m.samples}};
 }
@@ -59,6 +74,14 @@ void print(const LightQuantity& quantity, const render::MeterReading& r, Efficac
               static_cast<double>(r.value.r), static_cast<double>(r.value.g), static_cast<double>(r.value.b));
   std::printf("%-18s %.5g ± %.2g %s\n", quantity.radiometric_name, radiometric(value, efficacy),
               radiometric(r.standard_error, efficacy), quantity.radiometric_unit);
+}
+
+void print_lights(const render::MeterReadings& m, Efficacy efficacy) {
+  for (const render::LightIntensity& light : m.lights) {
+    const auto candela = static_cast<double>(luminance(light.intensity));
+    std::printf("%-18s %.5g cd (%.5g W/sr) towards the point, from %.4g m\n", light.name.c_str(), candela,
+                radiometric(candela, efficacy), static_cast<double>(light.distance));
+  }
 }
 
 int run_probe(const ProbeArguments& a) {
@@ -74,18 +97,28 @@ int run_probe(const ProbeArguments& a) {
   const auto scene = scene::compile(document->scene, document->camera, nullptr);
   const auto point = render::meter_point_at(*document, *scene, raster);
   if (!point) return fail(usage_error("--at: there is no surface at this point; give a point on an object"));
+  if (!a.sensor.empty() && !(a.sensor[0] > 0))
+    return fail(usage_error("--sensor: the size has to be positive, in metres"));
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::MeterReadings readings;
   render::measure_light(*document, scene, *point, a.samples, a.threads, [&](const render::MeterReadings& m) {
     readings = m;
     return !interrupted;
   });
+  std::optional<render::MeterReading> received;
+  if (!a.sensor.empty() && !interrupted)
+    received = render::measure_received_flux(*document, *scene, *point, a.sensor[0], a.samples, a.threads);
   if (a.json) {
-    std::printf("%s\n", readings_json(readings, *efficacy).dump(2).c_str());
+    json j = readings_json(readings, *efficacy);
+    if (received) j["received_flux"] = reading_json(*received, *efficacy);
+    std::printf("%s\n", j.dump(2).c_str());
   } else {
     print(kLuminance, readings.radiance, *efficacy);
     print(kIlluminance, readings.irradiance, *efficacy);
     if (!is_black(readings.emitted_flux)) print(kLuminousFlux, {readings.emitted_flux, 0}, *efficacy);
+    if (!is_black(readings.emitted_exitance)) print(kLuminousExitance, {readings.emitted_exitance, 0}, *efficacy);
+    if (received) print(kReceivedFlux, *received, *efficacy);
+    print_lights(readings, *efficacy);
     std::printf("at %.4g lm/W (--efficacy)\n", lumens_per_watt(*efficacy));
   }
   return interrupted ? static_cast<int>(Fault::interrupted) : 0;
@@ -102,6 +135,10 @@ Command probe_command() {
                        .target = &a->at,
                        .doc = "X Y: point in the image, in pixels from the upper left corner; default: the centre",
                        .count = 2},
+                      {.names = "--sensor",
+                       .target = &a->sensor,
+                       .doc = "Also the flux that a square of this size in metres receives at the point",
+                       .count = 1},
                       {.names = "--size",
                        .target = &a->scene.size,
                        .doc = "Size of the image to which --at refers, WIDTHxHEIGHT"},

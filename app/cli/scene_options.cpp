@@ -4,6 +4,7 @@
 
 #include "image/plugin.h"
 #include "image/texture_memory.h"
+#include "render/scene_warnings.h"
 #include "scene/builtin/builtin.h"
 
 namespace etendue::cli {
@@ -139,7 +140,7 @@ Result<render::Document> open_document(const SceneArguments& arguments) {
 }
 
 void print_warnings(const render::Document& document) {
-  for (const auto& warning : document.scene->warnings)
+  for (const auto& warning : render::current_warnings(document))
     std::fprintf(stderr, "etendue: %s: %s\n", document.scene_name.c_str(), warning.c_str());
 }
 

@@ -12,6 +12,7 @@
 //
 //   static std::vector<ModelPreset> presets();   named sets of parameter values
 //   void prepare();                              precomputes tables; see BsdfModel::prepared
+//   Rgb mean_free_path() const;                  light leaves the surface at other points; see BsdfModel
 //   static constexpr bool kSolid = true;         light passes through the surface into a solid body
 //
 // Models are immutable values: editing a parameter creates another model.
@@ -62,6 +63,8 @@ class BsdfModel {
   virtual bool is_solid() const = 0;
   // Index of refraction of the solid body; 1 for models without one.
   virtual float index_of_refraction() const = 0;
+  // Of light that is scattered below the surface, m; 0 for models whose light leaves where it arrived.
+  virtual Rgb mean_free_path() const = 0;
 
  protected:
   BsdfModel() = default;

@@ -21,6 +21,7 @@
 #include "bsdf/models/rgl_model.h"
 #include "bsdf/models/schlick_model.h"
 #include "bsdf/models/spherical_harmonics_model.h"
+#include "bsdf/models/subsurface_model.h"
 #include "bsdf/models/tabulated_model.h"
 #include "bsdf/models/thin_dielectric_model.h"
 #include "bsdf/models/torrance_sparrow_model.h"
@@ -36,6 +37,7 @@ using BsdfModels = TypeList<
     DielectricModel,
     ThinDielectricModel,
     LambertModel,
+    SubsurfaceModel,
     Phong1975Model,
     PhongModel,
     ReciprocalPhongModel,

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/hash.h"
+#include "geometry/cylinder_geometry.h"
 
 namespace etendue {
 namespace {
@@ -76,6 +77,7 @@ RTCGeometry instance_geometry(const AccelInstance& instance) {
 
 RTCGeometry shape_geometry(const AccelInstance& instance) {
   const AnalyticShape& shape = *instance.shape;
+  if (shape.kind == AnalyticShape::Kind::cylinder) return cylinder_geometry(device(), instance);
   const bool disk = shape.kind == AnalyticShape::Kind::disk;
   const RTCGeometry geometry =
       rtcNewGeometry(device(), disk ? RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT : RTC_GEOMETRY_TYPE_SPHERE_POINT);

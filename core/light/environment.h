@@ -1,14 +1,38 @@
 // Light from infinity: what a user edits.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "base/vec.h"
 #include "image/image.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
 
-// Radiance from infinity, cd/m^2: an equirectangular map times `tint`, or `tint` alone.
+// A clear sky with a sun (environments/sky.h).
+struct Sky {
+  float sun_elevation = 0.7f;  // radians above the horizon
+  float sun_azimuth = 0.9f;    // radians; 0 is +z, pi / 2 is +x
+  float turbidity = 3;         // optical depth of the atmosphere over that of pure air: 2 is very clear, 10 hazy
+  float ground_albedo = 0.2f;
+  bool sun_disk = true;  // the sun itself emits; without it only the sky does
+
+  friend bool operator==(const Sky&, const Sky&) = default;
+};
+
+// A disk at infinity that is too small for a map.
+struct SunDisk {
+  Vec3 direction{0, 1, 0};   // unit, towards its centre, before the rotation of the environment
+  Rgb radiance{0};           // mean over the disk, cd/m^2
+  float angular_radius = 0;  // radians, small
+  float limb_darkening = 0;  // coefficient u of L(mu) = L(1) (1 - u (1 - mu)), mu the cosine at the sun's surface
+
+  friend bool operator==(const SunDisk&, const SunDisk&) = default;
+};
+
+// Radiance from infinity, cd/m^2: an equirectangular map times `tint`, or `tint` alone; and a sun, also
+// times `tint`.
 //
 // Texture coordinates (u, v) of the map: u = 0.5 is the +x direction, v = 0 is +y. With phi = (u - 0.5) 2 pi the
 // direction is (cos phi sin(pi v), cos(pi v), sin phi sin(pi v)), rotated by `rotation` about +y.
@@ -16,8 +40,10 @@ struct Environment {
   std::shared_ptr<const image::Image> map;  // float RGB; may be null
   std::string file;
   Rgb tint{0};
-  float rotation = 0;   // radians
-  bool visible = true;  // to camera rays
+  float rotation = 0;                     // radians
+  bool visible = true;                    // to camera rays
+  std::optional<Sky> sky = std::nullopt;  // what the map and the sun were computed from
+  std::optional<SunDisk> sun = std::nullopt;
 
   bool black() const { return is_black(tint); }
   friend bool operator==(const Environment&, const Environment&) = default;

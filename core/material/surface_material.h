@@ -54,6 +54,7 @@ struct SurfaceMaterial {
 
   bool is_emissive = false;     // emits, or is unlit
   bool absorbs_inside = false;  // a solid whose inside attenuates light
+  bool has_subsurface = false;  // light leaves the surface at other points than it arrives at
 
   // Base colour and alpha without texture and vertex colour. If the BSDF model is Lambert's, its albedo is multiplied
   // in.
@@ -61,6 +62,7 @@ struct SurfaceMaterial {
   bool has_constant_base_color = false;  // base_factor times the vertex colour everywhere
   // The lobes of a BSDF model with a constant base colour, for points without vertex colour; else null.
   std::shared_ptr<const AllLobes<Rgb>> constant_lobes = nullptr;
+  Rgb mean_free_path{0};  // of light below the surface, m; with has_subsurface
 
   // The textures of lobes beyond StandardLobes. They stand last to keep the members of common materials together.
   Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,

@@ -58,6 +58,20 @@ void add_rotation_and_scale(DocumentParameters& list, const std::string& section
              [edit](Document& d, int c, float v) { edit(d, [&](auto& t) { t.scale[c] = v; }); });
 }
 
+void add_portal(DocumentParameters& list, const std::string& section, size_t index, Vec2 size) {
+  constexpr const char* kNames[] = {"portal.width", "portal.height"};
+  constexpr const char* kLabels[] = {"Portal width", "Portal height"};
+  constexpr const char* kDocs[] = {
+      "Width along x of a rectangle at this node that guides sampling of the environment; receivers on its -z side "
+      "send "
+      "half of their shadow rays to the environment through it. It never changes the expected image. 0: no portal",
+      "Height of the portal along y"};
+  for (int c = 0; c < 2; ++c)
+    list.push_back(make_parameter(
+        section, Number<float>{kNames[c], kLabels[c], size[c], {0, kLargestLength}, kDocs[c], "m", Scale::logarithmic},
+        [index, c](Document& d, float v) { edit_scene(d, [&](scene::Scene& s) { s.nodes[index].portal[c] = v; }); }));
+}
+
 }  // namespace
 
 DocumentParameters node_parameters(const Document& document, size_t index, const std::string& section) {
@@ -65,6 +79,7 @@ DocumentParameters node_parameters(const Document& document, size_t index, const
   DocumentParameters list{make_parameter(
       section, Toggle{"visible", "Visible", n.visible, "Hidden objects are excluded from the scene"},
       [index](Document& d, bool v) { edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; }); })};
+  add_portal(list, section, index, n.portal);
   add_translation(list, section, index, n.transform);
   add_rotation_and_scale(list, section, index, n.transform);
   return list;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "light/environments/sky.h"
 #include "light/environments/uniform.h"
 #include "render/document_parameters_medium.h"
 #include "scene/animation.h"
@@ -73,6 +74,47 @@ DocumentParameter environment_choice(const Environment& environment) {
   return parameter;
 }
 
+// A sky is computed anew when one of its parameters changes; the other properties of the environment stay.
+void set_sky(Document& document, const Sky& sky) {
+  edit_scene(document, [&](scene::Scene& s) {
+    Environment made = make_sky(sky);
+    made.tint = s.environment.tint;
+    made.rotation = s.environment.rotation;
+    made.visible = s.environment.visible;
+    s.environment = std::move(made);
+  });
+}
+
+void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
+  const auto store = [](auto Sky::*member) {
+    return [member](Document& d, auto v) {
+      Sky changed = d.scene->environment.sky.value_or(Sky());
+      changed.*member = v;
+      set_sky(d, changed);
+    };
+  };
+  const auto add_number = [&](const char* name, const char* label, float Sky::*member, Range<float> range,
+                              const char* doc, const char* unit) {
+    list.push_back(
+        make_parameter("environment", Number<float>{name, label, sky.*member, range, doc, unit}, store(member)));
+  };
+  add_number("sun-elevation", "Sun elevation", &Sky::sun_elevation, {0, kPi / 2},
+             "Angle of the sun above the horizon. Low suns are red and weak", "rad");
+  add_number("sun-azimuth", "Sun azimuth", &Sky::sun_azimuth, {-2 * kPi, 2 * kPi},
+             "Angle of the sun about the vertical axis, from +z towards +x", "rad");
+  add_number(
+      "turbidity", "Turbidity", &Sky::turbidity, {kLeastTurbidity, kLargestTurbidity},
+      "Haze: optical depth of the atmosphere relative to pure air. 2 is very clear, 6 hazy; higher makes the sky "
+      "paler and the sun weaker",
+      "");
+  add_number("ground-albedo", "Ground albedo", &Sky::ground_albedo, {0, 1},
+             "Reflectance of the ground below the horizon. Higher brightens surfaces that face down", "");
+  list.push_back(make_parameter("environment",
+                                Toggle{"sun-disk", "Sun disk", sky.sun_disk,
+                                       "Includes the disk of the sun, of 0.533 degrees. Off: the sky alone"},
+                                store(&Sky::sun_disk)));
+}
+
 }  // namespace
 
 DocumentParameters scene_parameters(const Document& document) {
@@ -93,21 +135,20 @@ DocumentParameters atmosphere_parameters(const Document& document) {
   DocumentParameters list;
   add_medium_parameters(list, {section, [](scene::Scene& s) -> MediumDescription& { return s.atmosphere.medium; }},
                         a.medium);
-  list.push_back(make_parameter(section,
-                                Number<float>{"radius",
-                                              "Radius",
-                                              std::min(a.radius, kLargestLength),
-                                              {1e-3f, kLargestLength},
-                                              "Extent of the medium around the centre of the scene; beyond is a vacuum. "
-                                              "The largest value stands for no bound, which light from infinity does "
-                                              "not pass",
-                                              "m",
-                                              Scale::logarithmic},
-                                [](Document& d, float v) {
-                                  edit_scene(d, [&](scene::Scene& s) {
-                                    s.atmosphere.radius = v >= kLargestLength ? kInfinity : v;
-                                  });
-                                }));
+  list.push_back(make_parameter(
+      section,
+      Number<float>{"radius",
+                    "Radius",
+                    std::min(a.radius, kLargestLength),
+                    {1e-3f, kLargestLength},
+                    "Extent of the medium around the centre of the scene; beyond is a vacuum. "
+                    "The largest value stands for no bound, which light from infinity does "
+                    "not pass",
+                    "m",
+                    Scale::logarithmic},
+      [](Document& d, float v) {
+        edit_scene(d, [&](scene::Scene& s) { s.atmosphere.radius = v >= kLargestLength ? kInfinity : v; });
+      }));
   return list;
 }
 
@@ -138,6 +179,7 @@ DocumentParameters environment_parameters(const Document& document) {
                                 Toggle{"visible", "Visible to camera", e.visible,
                                        "Shows the environment as background. It illuminates the scene in either case"},
                                 store(&Environment::visible)));
+  if (e.sky) add_sky_parameters(list, *e.sky);
   return list;
 }
 

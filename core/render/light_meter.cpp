@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/placed_light.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
 
@@ -91,12 +92,82 @@ class Meter {
   Session session_;
 };
 
-// The flux that an instance emits, in lm.
-Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
-  Rgb flux(0);
-  for (const AreaLightTriangle& t : scene.lights().triangles())
-    if (t.instance == instance) flux += t.flux();
-  return flux;
+// The flux that an instance emits, in lm, and the area of its emitting sides.
+struct EmittedFlux {
+  Rgb flux{0};
+  float area = 0;
+};
+EmittedFlux flux_of(const scene::CompiledScene& scene, uint32_t instance) {
+  EmittedFlux sum;
+  for (const AreaLightTriangle& t : scene.lights().triangles()) {
+    if (t.instance != instance) continue;
+    sum.flux += t.flux();
+    sum.area += t.area * (t.double_sided ? 2.0f : 1.0f);
+  }
+  return sum;
+}
+
+// Spheres, disks and cylinders are left out.
+void add_area_lights(const scene::CompiledScene& scene, const Vec3& at, std::vector<LightIntensity>& lights) {
+  constexpr uint32_t kNone = 0xffffffffU;
+  uint32_t instance = kNone;
+  for (const AreaLightTriangle& t : scene.lights().triangles()) {
+    if (t.is_analytic()) continue;
+    const Vec3 centroid = t.p0 + (t.e1 + t.e2) / 3.0f;
+    const Vec3 to_point = at - centroid;
+    const float distance = glm::length(to_point);
+    if (!(distance > 0)) continue;
+    if (t.instance != instance) {
+      instance = t.instance;
+      const scene::Node& node = scene.description().nodes[scene.instances()[instance].node];
+      lights.push_back({node.name.empty() ? "emissive object" : node.name, Rgb(0), distance});
+    }
+    const float cosine = glm::dot(t.normal, to_point) / distance;
+    const float facing = t.double_sided ? std::abs(cosine) : std::max(cosine, 0.0f);
+    lights.back().intensity += t.radiance * (t.profile(facing) * facing * t.area);
+    lights.back().distance = std::min(lights.back().distance, distance);
+  }
+}
+
+void add_placed_lights(const scene::CompiledScene& scene, const Vec3& at, std::vector<LightIntensity>& lights) {
+  const LightTable& table = scene.lights();
+  const auto& placed = table.placed();
+  for (size_t i = 0; i < placed.size(); ++i) {
+    if (placed[i].is_infinite()) continue;
+    const Vec3 to_point = at - placed[i].at(0).position;
+    const float distance = glm::length(to_point);
+    if (!(distance > 0)) continue;
+    const auto number = static_cast<uint32_t>(table.triangles().size() + i);
+    const Rgb intensity = table.emitted_by_placed(number, to_point / distance, distance, 0);
+    lights.push_back({placed[i].name.empty() ? placed[i].type->name : placed[i].name, intensity, distance});
+  }
+}
+
+std::vector<LightIntensity> intensities_towards(const scene::CompiledScene& scene, const Vec3& at) {
+  std::vector<LightIntensity> lights;
+  add_area_lights(scene, at, lights);
+  add_placed_lights(scene, at, lights);
+  std::erase_if(lights, [](const LightIntensity& light) { return is_black(light.intensity); });
+  const auto illuminance = [](const LightIntensity& light) { return luminance(light.intensity) / sqr(light.distance); };
+  std::ranges::stable_sort(lights, std::greater<>(), illuminance);
+  if (lights.size() > kMeterLights) lights.resize(kMeterLights);
+  return lights;
+}
+
+// A sensor in front of the surface, seen by an orthographic camera that it fills.
+Document flux_measurement(const Document& document, const MeterPoint& point, float size, float offset, float albedo) {
+  auto scene = std::make_shared<scene::Scene>(*document.scene);
+  Material sensor = scene::diffuse(Rgb(albedo));
+  sensor.name = "light meter";
+  sensor.double_sided = false;
+  const Vec3 right = normalize_or(glm::cross(Vec3(0, 1, 0), point.normal), Vec3(1, 0, 0));
+  const Vec3 up = glm::cross(point.normal, right);
+  const Vec3 centre = point.position + offset * point.normal;
+  scene::add(*scene, scene::rectangle(centre - 0.5f * size * (right + up), size * right, size * up), sensor);
+  Camera camera = look_at(centre + 0.5f * offset * point.normal, centre, up, 1);
+  camera.projection = Projection::orthographic;
+  camera.ymag = 0.5f * size;
+  return measurement(document, std::move(scene), camera);
 }
 
 }  // namespace
@@ -116,6 +187,16 @@ std::optional<MeterPoint> meter_point_at(const Document& document, const scene::
                     .instance = static_cast<uint32_t>(surface.instance - scene.instances().data())};
 }
 
+MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
+                                   float size, uint32_t samples, int threads) {
+  constexpr float kAlbedo = 0.01f;
+  const float distance_from_origin = std::max(glm::length(point.position), glm::length(point.eye));
+  const float offset = std::max(kCardRadius * scene.bounds().radius(), 1e-5f * distance_from_origin);
+  const float factor = kPi / kAlbedo * sqr(size);
+  Meter meter(flux_measurement(document, point, size, offset, kAlbedo), factor, nullptr, threads);
+  return meter.read(samples);
+}
+
 void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
                    uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish) {
   // The card must be distinguishable from the surface in single precision.
@@ -123,7 +204,10 @@ void measure_light(const Document& document, std::shared_ptr<const scene::Compil
   const float radius = std::max(kCardRadius * scene->bounds().radius(), 1e-5f * distance_from_origin);
   MeterReadings readings;
   readings.point = point;
-  readings.emitted_flux = flux_of(*scene, point.instance);
+  const EmittedFlux emitted = flux_of(*scene, point.instance);
+  readings.emitted_flux = emitted.flux;
+  if (emitted.area > 0) readings.emitted_exitance = emitted.flux / emitted.area;
+  readings.lights = intensities_towards(*scene, point.position);
   Meter radiance(radiance_measurement(document, point), 1, scene, threads);
   Meter irradiance(irradiance_measurement(document, point, radius), kPi, scene, threads);
   for (uint32_t n = std::min(samples, 4U);; n = std::min(samples, 2 * n)) {

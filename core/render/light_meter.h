@@ -8,6 +8,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "render/session.h"
 
@@ -30,14 +32,32 @@ struct MeterReading {
   double standard_error = 0;
 };
 
+// What a light emits towards the measured point, whether or not something is in between.
+struct LightIntensity {
+  std::string name;
+  Rgb intensity{0};    // cd; of an extended light the sum over its surface, as from far away
+  float distance = 0;  // m; of an extended light to the nearest of its triangle centroids
+};
+
 struct MeterReadings {
   MeterPoint point;
   MeterReading radiance;    // luminance in cd/m^2, from the point to the camera
   MeterReading irradiance;  // illuminance in lx, at the point, on the side of the camera
   // lm, emitted by the object at the point. For textured emission this uses the mean radiance.
   Rgb emitted_flux{0};
+  Rgb emitted_exitance{0};  // lm/m^2, the emitted flux over the area of all emitting sides
+  // Lights without extent and emissive meshes, strongest illuminance first, at most kMeterLights.
+  std::vector<LightIntensity> lights;
   uint32_t samples = 0;  // per pixel, of 64 pixels
 };
+
+inline constexpr size_t kMeterLights = 8;
+
+// The luminous flux in lm that a square sensor at the point receives on the side of the camera; `size` in metres. Two of
+// its sides are horizontal, or along x if it lies flat. It is opaque with an albedo of 1 %, so that it casts a shadow but
+// hardly reflects.
+MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
+                                   float size, uint32_t samples, int threads);
 
 // Measures with a growing number of samples and calls `publish` after each step, until the number reaches `samples` or
 // `publish` returns false.

@@ -15,10 +15,10 @@ class BlackImage final : public integrator::RenderState {
   }
 };
 
-std::string integrators_with(bool integrator::IntegratorInfo::*media) {
+std::string integrators_with(bool integrator::IntegratorInfo::*feature) {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.*media) names += (names.empty() ? "" : ", ") + info.name;
+    if (info.*feature) names += (names.empty() ? "" : ", ") + info.name;
   return names;
 }
 
@@ -35,6 +35,10 @@ std::string refusal_of(const std::string& integrator, const transport::Model& mo
     return {};
   };
   const integrator::IntegratorInfo& info = *integrator::find_integrator(integrator);
+  if (scene.has_subsurface() && !info.subsurface)
+    return "it does not support subsurface diffusion, which a material uses, so the image will be black: use an "
+           "integrator that does (" +
+           integrators_with(&integrator::IntegratorInfo::subsurface) + "), or a medium inside the material";
   if (model.heterogeneous && !info.heterogeneous_media)
     return unsupported("heterogeneous or emitting media", &integrator::IntegratorInfo::heterogeneous_media);
   if (model.scattering && !info.scattering_media)

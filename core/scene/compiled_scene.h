@@ -169,6 +169,8 @@ class CompiledScene final : public OpacityTest {
   const Bounds& bounds() const { return bounds_; }
   size_t triangle_count() const { return triangles_; }
   bool has_transparency() const { return transparency_; }
+  // Whether a material scatters light below its surface.
+  bool has_subsurface() const { return subsurface_; }
   // The first moving object while the shutter is open, for messages: "node 'Wheel'". Empty if nothing moves.
   std::string moving() const;
   // The motion of the camera, or null.
@@ -202,7 +204,7 @@ class CompiledScene final : public OpacityTest {
   Bounds bounds_;
   BuildReport report_;
   size_t triangles_ = 0;
-  bool transparency_ = false;
+  bool transparency_ = false, subsurface_ = false;
   // The width of a pixel in the centre of the image: metres, and metres per metre of distance from the camera. Zero if
   // the resolution is unknown.
   float pixel_width_ = 0, pixel_angle_ = 0;

@@ -246,6 +246,7 @@ class Compiler {
       r.textures_ = previous_->textures_;
       r.materials_ = previous_->materials_;
       r.transparency_ = previous_->transparency_;
+      r.subsurface_ = previous_->subsurface_;
       return;
     }
     r.textures_ = previous_ && previous_->description().textures == scene_->textures
@@ -255,6 +256,7 @@ class Compiler {
     for (const Material& m : scene_->materials) {
       compiled->emplace_back(m, *r.textures_);
       r.transparency_ = r.transparency_ || compiled->back().has_alpha;
+      r.subsurface_ = r.subsurface_ || compiled->back().has_subsurface;
     }
     if (std::ranges::any_of(scene_->lights, is_hit_by_rays))
       for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
@@ -271,12 +273,12 @@ class Compiler {
     return std::ranges::equal(a, b, [](const SurfaceMaterial& x, const SurfaceMaterial& y) {
       const Material &m = x.description, &n = y.description;
       return m.is_solid() == n.is_solid() &&
-             (!m.is_solid() || (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
-                                m.attenuation_color == n.attenuation_color &&
-                                m.attenuation_distance == n.attenuation_distance && m.medium == n.medium &&
-                                m.boundary_only == n.boundary_only && m.medium_priority == n.medium_priority &&
-                                x.is_emissive == y.is_emissive &&
-                                x.has_alpha == y.has_alpha && bool{x.base_color} == bool{y.base_color}));
+             (!m.is_solid() ||
+              (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
+               m.attenuation_color == n.attenuation_color && m.attenuation_distance == n.attenuation_distance &&
+               m.medium == n.medium && m.boundary_only == n.boundary_only && m.medium_priority == n.medium_priority &&
+               x.is_emissive == y.is_emissive && x.has_alpha == y.has_alpha &&
+               bool{x.base_color} == bool{y.base_color}));
     });
   }
 
@@ -340,6 +342,7 @@ class Compiler {
     const Scene& old = previous_->description();
     if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
     if (!(scene_->atmosphere == old.atmosphere)) return false;
+    if (portals() != previous_->lights_->portals().all()) return false;
     if (!result_->report_.materials_built) return true;
     if (scene_->materials.size() != old.materials.size()) return false;
     for (size_t i = 0; i < scene_->materials.size(); ++i) {
@@ -379,7 +382,7 @@ class Compiler {
     result_->instances_ = std::move(instances);
     result_->lights_ =
         std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                     bounds_with_atmosphere(), std::move(moving), std::move(round_lights));
+                                     bounds_with_atmosphere(), std::move(moving), std::move(round_lights), portals());
     result_->report_.lights_built = true;
   }
 
@@ -429,6 +432,23 @@ class Compiler {
     e.set_shape(static_cast<int>(round_lights.size()), round.shape);
     round_lights.push_back(std::move(round));
     return e;
+  }
+
+  // At the time of the scene: a portal that moves guides to where it is then.
+  std::vector<EnvironmentPortal> portals() const {
+    std::vector<EnvironmentPortal> portals;
+    std::vector<Mat4> world;
+    for (const uint32_t node : reached_nodes()) {
+      const Vec2& size = scene_->nodes[node].portal;
+      if (!(size.x > 0 && size.y > 0)) continue;
+      if (world.empty()) world = world_matrices(*scene_);
+      const Mat4 place = without_scale(world[node]);
+      portals.push_back({.centre = Vec3(place[3]),
+                         .half_x = 0.5f * size.x * Vec3(place[0]),
+                         .half_y = 0.5f * size.y * Vec3(place[1]),
+                         .normal = -Vec3(place[2])});
+    }
+    return portals;
   }
 
   std::vector<PlacedLight> placed_lights() {

@@ -14,6 +14,7 @@ std::shared_ptr<const Mesh> mesh_of(const AreaLight& light) {
   const auto& shape = std::get<AnalyticShape>(light.shape);
   const float r = shape.radius;
   if (shape.kind == AnalyticShape::Kind::sphere) return box(Vec3(r));
+  if (shape.kind == AnalyticShape::Kind::cylinder) return box(Vec3(shape.half_length, r, r));
   return rectangle({-r, -r, 0}, {0, 2 * r, 0}, {2 * r, 0, 0});
 }
 

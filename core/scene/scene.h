@@ -68,6 +68,7 @@ struct Node {
   int mesh = -1, camera = -1, light = -1, skin = -1;  // indices into Scene, or -1
   std::vector<float> weights;                         // morph weights; empty uses the mesh's
   bool visible = true;
+  Vec2 portal{0};  // width along x and height along y of an environment portal that faces -z, m; 0 for none
 
   friend bool operator==(const Node&, const Node&) = default;
 };

@@ -1,5 +1,6 @@
 #include "spectrum/blackbody.h"
 
+#include <algorithm>
 #include <array>
 
 namespace etendue {
@@ -33,25 +34,49 @@ Rgb with_largest_component_one(const Rgb& color) {
   return largest > 0 ? color / largest : Rgb(1);
 }
 
+// Planck's law up to a factor that does not depend on the wavelength.
+double relative_radiance(double wavelength, double kelvin) {
+  return std::pow(wavelength / 560, -5) / std::expm1(kSecondRadiationConstant / (wavelength * kelvin));
+}
+
+using Triplet = std::array<double, 3>;
+
+Triplet xyz_of(const std::function<double(double)>& radiance) {
+  Triplet xyz{};
+  double wavelength = kFirstWavelength;
+  for (const auto& observer : kObserver) {
+    const double value = radiance(wavelength);
+    for (size_t i = 0; i < 3; ++i) xyz[i] += value * observer[i];
+    wavelength += kStep;
+  }
+  return xyz;
+}
+
+// Components outside of the gamut are clipped.
+Triplet rec709_of(const Triplet& xyz) {
+  Triplet rgb{};
+  for (size_t c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < 3; ++i) rgb[c] += kRec709[c][i] * xyz[i];
+    rgb[c] = std::max(rgb[c], 0.0);
+  }
+  return rgb;
+}
+
+Rgb scaled(const Triplet& rgb, double scale) {
+  return {static_cast<float>(rgb[0] * scale), static_cast<float>(rgb[1] * scale), static_cast<float>(rgb[2] * scale)};
+}
+
 }  // namespace
 
 Rgb blackbody_color(double kelvin) {
-  double xyz[3]{};
-  double wavelength = kFirstWavelength;
-  for (const auto& observer : kObserver) {
-    const double radiance = std::pow(wavelength / 560, -5) / std::expm1(kSecondRadiationConstant / (wavelength * kelvin));
-    for (int i = 0; i < 3; ++i) xyz[i] += radiance * observer[i];
-    wavelength += kStep;
-  }
-  double rgb[3]{};
-  double largest = 0;
-  for (int c = 0; c < 3; ++c) {
-    for (int i = 0; i < 3; ++i) rgb[c] += kRec709[c][i] * xyz[i];
-    rgb[c] = std::max(rgb[c], 0.0);
-    largest = std::max(largest, rgb[c]);
-  }
-  return {static_cast<float>(rgb[0] / largest), static_cast<float>(rgb[1] / largest),
-          static_cast<float>(rgb[2] / largest)};
+  const Triplet rgb = rec709_of(xyz_of([&](double wavelength) { return relative_radiance(wavelength, kelvin); }));
+  return scaled(rgb, 1 / *std::ranges::max_element(rgb));
+}
+
+Rgb filtered_blackbody_color(double kelvin, const std::function<double(double)>& transmittance) {
+  const auto bare = [&](double wavelength) { return relative_radiance(wavelength, kelvin); };
+  const Triplet filtered = xyz_of([&](double wavelength) { return bare(wavelength) * transmittance(wavelength); });
+  return scaled(rec709_of(filtered), 1 / xyz_of(bare)[1]);
 }
 
 double nearest_temperature(const Rgb& color) {

@@ -10,6 +10,7 @@
 #include "stress/cases/closed_room_of_albedo_one.h"
 #include "stress/cases/coincident_lights.h"
 #include "stress/cases/depth_cut_off.h"
+#include "stress/cases/diffusion_in_a_thin_slab.h"
 #include "stress/cases/emitter_that_reflects.h"
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/glossy_virtual_lights.h"
@@ -133,6 +134,7 @@ const std::vector<Case>& cases() {
       kEmitterThatReflects,
       kGrilleAsFineAsPixels,
       kDepthCutOff,
+      kDiffusionInAThinSlab,
       kRouletteOfABrightRoom,
       kStartsOfChains,
       kChainsInTwoPlaces,

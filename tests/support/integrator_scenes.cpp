@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "light/environments/sky.h"
+
 namespace etendue::test {
 
 using render::Document;
@@ -64,6 +66,15 @@ Document balls_under_sky() {
   return view_from_above(std::move(scene));
 }
 
+Document balls_under_sun() {
+  auto scene = balls();
+  Sky sky;
+  sky.sun_elevation = 0.8f;
+  scene.environment = make_sky(sky);
+  scene.environment.tint = Rgb(1e-4f);
+  return view_from_above(std::move(scene));
+}
+
 Document balls_under_light(const char* light_type) {
   auto scene = balls();
   Light light = make_light(light_type);
@@ -90,7 +101,32 @@ Document balls_under_analytic_lights() {
             {-0.5f, 0, 0});
   add_light(make_light("disk", {{"two-sided", true}}), {0.5f, 1, 0.6f}, {0.3f, 2.5f, -0.8f}, {0.2f, 0, 0.1f});
   add_light(make_light("sphere"), {0.5f, 0.7f, 1}, {1.7f, 1.6f, 0.9f}, {0, 0, 0});
+  add_light(make_light("cylinder", {{"radius", 0.1}, {"length", 1.2}}), {1, 0.8f, 0.5f}, {-0.2f, 1.9f, 1.2f},
+            {0, 0, 0});
   return view_from_above(std::move(scene));
+}
+
+Document room_with_two_windows(bool portal) {
+  scene::Scene scene;
+  const auto add_wall = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {
+    add(scene, scene::rectangle(corner, u, v), diffuse(Rgb(0.6f)));
+  };
+  add_wall({-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+  add_wall({-1, 0, -1}, {2, 0, 0}, {0, 2, 0});
+  add_wall({-1, 0, 1}, {0, 2, 0}, {2, 0, 0});
+  add_wall({1, 0, -1}, {0, 0, 2}, {0, 2, 0});
+  for (const float z : {-1.0f, 0.1f}) add_wall({-1, 0, z}, {0, 2, 0}, {0, 0, 0.9f});
+  for (const float x : {-1.0f, 0.25f}) add_wall({x, 2, -1}, {0.75f, 0, 0}, {0, 0, 2});
+  for (const float z : {-1.0f, 0.25f}) add_wall({-0.25f, 2, z}, {0.5f, 0, 0}, {0, 0, 0.75f});
+  scene.environment.tint = {6, 7, 8};
+  if (portal) {
+    scene::Node node;
+    node.transform.matrix = Mat4({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 2, 0, 1});
+    node.portal = {0.5f, 0.5f};
+    scene.roots.push_back(static_cast<int>(scene.nodes.size()));
+    scene.nodes.push_back(node);
+  }
+  return document(std::move(scene), look_at({0.6f, 1.2f, 0.8f}, {-0.2f, 0.4f, -0.5f}, {0, 1, 0}, 1), kSize, kSize);
 }
 
 Document with_lens(const Document& d) {

@@ -18,12 +18,16 @@ scene::Scene balls();
 render::Document view_from_above(scene::Scene scene);
 render::Document balls_under_area_light();
 render::Document balls_under_sky();
+// The physical sky with its sun, at a luminance of the order of one.
+render::Document balls_under_sun();
 render::Document balls_under_light(const char* light_type);
-// Analytic area lights: a quad, a disk and a sphere.
+// Analytic area lights: a quad, a disk, a sphere and a cylinder.
 render::Document balls_under_analytic_lights();
 // Reflection models in a scene with a quad light: reciprocal and non-reciprocal, anisotropic, layered, measured, and
 // rough glass.
 render::Document bsdf_model_scene();
+// A room under a bright sky, seen from inside, with a hole in its ceiling and a slit in a wall. `portal` marks the hole.
+render::Document room_with_two_windows(bool portal);
 render::Document with_lens(const render::Document& d);
 
 // Expects equal means of both documents (expect_agreement).

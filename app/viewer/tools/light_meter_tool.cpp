@@ -9,8 +9,8 @@
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -22,7 +22,8 @@ void draw_reading(const UiContext& ui, const LightQuantity& quantity, const rend
   const auto value = static_cast<double>(luminance(reading.value));
   const double error = reading.standard_error;
   labelled_value(ui, quantity.name,
-                 formatted("%.4g \u00b1 %.1g %s", value, error, with_superscripts(quantity.unit).c_str()), tooltip_text);
+                 formatted("%.4g \u00b1 %.1g %s", value, error, with_superscripts(quantity.unit).c_str()),
+                 tooltip_text);
   labelled_value(ui, quantity.radiometric_name,
                  formatted("%.4g \u00b1 %.1g %s", radiometric(value, efficacy), radiometric(error, efficacy),
                            with_superscripts(quantity.radiometric_unit).c_str()),
@@ -77,8 +78,15 @@ void LightMeter::draw(AppState& state) {
                "On the side of the surface that faces the camera. The irradiance is the illuminance divided by the "
                "luminous efficacy");
   if (!is_black(readings->emitted_flux))
-    draw_reading(ui, kLuminousFlux, {readings->emitted_flux, 0}, parameters.efficacy,
-                 "Emitted by the whole object. The power in watts is the luminous flux divided by the luminous efficacy");
+    draw_reading(
+        ui, kLuminousFlux, {readings->emitted_flux, 0}, parameters.efficacy,
+        "Emitted by the whole object. The power in watts is the luminous flux divided by the luminous efficacy");
+  if (!is_black(readings->emitted_exitance))
+    draw_reading(ui, {"Luminous exitance", "lm/m^2", "Radiant exitance", "W/m^2"}, {readings->emitted_exitance, 0},
+                 parameters.efficacy, "The emitted flux over the area of all emitting sides");
+  for (const render::LightIntensity& light : readings->lights)
+    labelled_value(ui, light.name.c_str(), formatted("%.4g cd", static_cast<double>(luminance(light.intensity))),
+                   "Luminous intensity of this light towards the point, whether or not something is in between");
   if (!is_complete(state.editor->version())) note(ui, "Measuring: the errors decrease with more samples.");
 }
 

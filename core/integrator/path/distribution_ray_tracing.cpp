@@ -16,6 +16,7 @@
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/branching_paths.h"
+#include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
@@ -37,6 +38,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
             "The number of rays grows exponentially with the depth of branching, and the deepest contribute least. "
             "Caustics of small lights are noisy, as in path tracing. Point lights behind glass are never found.",
         .scattering_media = kScatteringMedia,
+        .subsurface = true,
     };
   }
 
@@ -93,6 +95,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
       while (paths.next_hits()) {
         add_emission(paths, combination, lights);
         if (at_max_depth(paths.length())) continue;
+        scatter_below_surface(paths);
         if (shadow_rays) add_direct_light(paths, lights, combination, Shadows::cast, static_cast<float>(branches));
         tree.branch(branches, roulette_start);
       }

@@ -16,6 +16,7 @@
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/equiangular_light.h"
+#include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
@@ -40,6 +41,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .shortcut = '4',
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
+        .subsurface = true,
     };
   }
 
@@ -68,6 +70,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
       while (paths.next_hits()) {
         add_emission(paths, heuristic, lights);
         if (at_max_depth(paths.length())) continue;
+        scatter_below_surface(paths);
         add_direct_light(paths, lights, heuristic);
         sample_bsdf(paths, roulette_start);
       }
@@ -86,6 +89,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         add_emission(paths, heuristic, lights);
         if (at_max_depth(paths.length())) continue;
         segments.add_light_before_hits();
+        scatter_below_surface(paths);
         add_direct_light(paths, lights, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
           return segments.weight_of_light_sample(hit, light);
         });

@@ -13,6 +13,7 @@
 //                 Point, spot and directional lights are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
@@ -37,6 +38,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .shortcut = '3',
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
+        .subsurface = true,
     };
   }
 
@@ -59,7 +61,9 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
       add_environment(paths);
       while (paths.next_hits()) {
         add_emission(paths);
-        if (!at_max_depth(paths.length())) sample_bsdf(paths, roulette_start);
+        if (at_max_depth(paths.length())) continue;
+        scatter_below_surface(paths);
+        sample_bsdf(paths, roulette_start);
       }
     }
   }

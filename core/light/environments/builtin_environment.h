@@ -16,6 +16,8 @@ struct BuiltinEnvironment {
   const char* doc;
   // cd/m^2, from a unit direction; +y is up and +z is the front of an object. Null: 1 from all directions.
   Rgb (*radiance)(const Vec3& direction);
+  // For an environment with parameters, instead of `radiance`: with their defaults.
+  Environment (*make)() = nullptr;
 };
 
 // In the order in which they are offered; the first one lights scenes without lights.

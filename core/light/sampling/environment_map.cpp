@@ -93,6 +93,11 @@ bool is_uniform(const image::Image& map) {
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
+  prepare_map();
+  prepare_sun(environment.tint);
+}
+
+void EnvironmentMap::prepare_map() {
   if (!environment_.map || environment_.map->empty()) {
     environment_.map = nullptr;
     return;
@@ -131,13 +136,28 @@ EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(en
   density_ = Piecewise2D(means, map.width, map.height + 1);
 }
 
+// `tint` is that of the user; the one of a uniform map includes its radiance.
+void EnvironmentMap::prepare_sun(const Rgb& tint) {
+  if (!environment_.sun || is_black(environment_.sun->radiance)) return;
+  const Vec3& d = environment_.sun->direction;
+  const float c = std::cos(environment_.rotation), s = std::sin(environment_.rotation);
+  SunDisk disk = *environment_.sun;
+  disk.radiance *= tint;
+  sun_.emplace(disk, Vec3(d.x * c - d.z * s, d.y, d.x * s + d.z * c));
+  const Rgb mean = sun_->mean_radiance() * (sun_->solid_angle() / (4 * kPi));
+  mean_ += mean;
+  constexpr float kLeast = 0.1f;
+  const float share = luminance(mean_) > 0 ? luminance(mean) / luminance(mean_) : 0;
+  sun_probability_ = std::clamp(share, kLeast, 1 - kLeast);
+}
+
 Vec2 EnvironmentMap::uv_of(const Vec3& d) const {
   const float u = 0.5f + (std::atan2(d.z, d.x) - environment_.rotation) / (2 * kPi);
   const float v = std::acos(std::clamp(d.y, -1.0f, 1.0f)) * kInvPi;
   return Vec2(std::min(u - std::floor(u), kOneMinusEpsilon), std::min(v, kOneMinusEpsilon));
 }
 
-Rgb EnvironmentMap::radiance(const Vec3& direction) const {
+Rgb EnvironmentMap::map_radiance(const Vec3& direction) const {
   if (!environment_.map) return environment_.tint;
   const image::Image& map = *environment_.map;
   const Patch p = patch_at(map, uv_of(direction));
@@ -145,7 +165,7 @@ Rgb EnvironmentMap::radiance(const Vec3& direction) const {
                                  mix(pixel(map, p.left, p.bottom), pixel(map, p.right, p.bottom), p.x), p.y);
 }
 
-EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
+EnvironmentMap::Sample EnvironmentMap::sample_map(Vec2 u) const {
   if (density_.empty()) return {square_to_sphere(u), 1 / (4 * kPi)};
   const image::Image& map = *environment_.map;
   const Vec2 size(map.width, map.height + 1);
@@ -164,13 +184,36 @@ EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   return {direction, sine > 0 ? density_times_sine(corners.at(inside.x, inside.y), density_, map) / sine : 0};
 }
 
-float EnvironmentMap::pdf_solid_angle(const Vec3& direction) const {
+float EnvironmentMap::map_pdf(const Vec3& direction) const {
   if (density_.empty()) return 1 / (4 * kPi);
   const float sine = safe_sqrt(1 - sqr(direction.y));
   if (!(sine > 0)) return 0;
   const image::Image& map = *environment_.map;
   const Patch p = patch_at(map, uv_of(direction));
   return density_times_sine(corners_of(weights_, map, p).at(p.x, p.y), density_, map) / sine;
+}
+
+Rgb EnvironmentMap::radiance(const Vec3& direction) const {
+  const Rgb radiance = map_radiance(direction);
+  return sun_ ? radiance + sun_->radiance(direction) : radiance;
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
+  if (!sun_) return sample_map(u);
+  Sample sample;
+  if (u.x < sun_probability_) {
+    sample.direction = sun_->sample({u.x / sun_probability_, u.y});
+  } else {
+    const float rest = (u.x - sun_probability_) / (1 - sun_probability_);
+    sample = sample_map({std::min(rest, kOneMinusEpsilon), u.y});
+  }
+  sample.pdf_solid_angle = pdf_solid_angle(sample.direction);
+  return sample;
+}
+
+float EnvironmentMap::pdf_solid_angle(const Vec3& direction) const {
+  if (!sun_) return map_pdf(direction);
+  return sun_probability_ * sun_->pdf(direction) + (1 - sun_probability_) * map_pdf(direction);
 }
 
 }  // namespace etendue

@@ -3,12 +3,17 @@
 // Radiance is interpolated between texel centres, and the sampling density as well: it follows a small sun exactly, so
 // that radiance over density stays bounded. A patch between four texel centres is chosen by its mean, a point in it
 // by its corners. The patches at the poles reach half a texel beyond the map; points there are mirrored back.
+//
+// A sun is added to the map. Directions come from its disk with a probability that follows its share of the flux, else
+// from the map; the density is that of the mixture.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "base/piecewise_constant.h"
 #include "base/vec.h"
 #include "light/environment.h"
+#include "light/sampling/sun_cone.h"
 
 namespace etendue {
 
@@ -32,10 +37,17 @@ class EnvironmentMap {
 
  private:
   Vec2 uv_of(const Vec3& direction) const;
+  void prepare_map();
+  void prepare_sun(const Rgb& tint);
+  Rgb map_radiance(const Vec3& direction) const;
+  Sample sample_map(Vec2 u) const;
+  float map_pdf(const Vec3& direction) const;
 
   Environment environment_;
   std::vector<float> weights_;  // per texel, luminance times sine, relative to the largest; empty without a map
   Piecewise2D density_;         // of the patches between texels
+  std::optional<SunCone> sun_;
+  float sun_probability_ = 0;
   Rgb mean_{0};
 };
 

@@ -52,7 +52,7 @@ void LightTable::resample_emission(Vec2 u, Emission& e) const {
 }
 
 EmissionDensity LightTable::environment_emission_density(const Vec3& direction) const {
-  return {pdf_environment(direction, LightStrategy::emission_pdf), scene_.entry_pdf(), false, true};
+  return {pdf_environment(Vec3(0), direction, LightStrategy::emission_pdf), scene_.entry_pdf(), false, true};
 }
 
 EmissionDensity LightTable::emission_density_of_other(const LightSample& sample) const {

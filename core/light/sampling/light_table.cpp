@@ -22,10 +22,11 @@ LightTable::LightTable() : placed_(std::make_shared<const std::vector<PlacedLigh
 
 LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
                        const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
-                       std::vector<AnalyticAreaLight> shapes)
+                       std::vector<AnalyticAreaLight> shapes, std::vector<EnvironmentPortal> portals)
     : primitives_(std::move(triangles), std::move(movers), std::move(shapes)),
       placed_(std::make_shared<const std::vector<PlacedLight>>(std::move(placed))),
       environment_(environment),
+      portals_(std::move(portals)),
       scene_{scene_bounds.empty() ? Vec3(0) : scene_bounds.center(), std::max(scene_bounds.radius(), 1e-6f)} {
   std::vector<SelectableLight> lights;
   lights.reserve(primitives_.size() + placed_->size() + 1);
@@ -105,7 +106,7 @@ void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch,
       batch.set(i, primitives_[choice.index], choice.probability);
     } else {
       s.textured = false;
-      const bool reached = sample_other(queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i), s);
+      const bool reached = sample_other(queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i), by_solid_angle, s);
       s.pdf = reached ? s.pdf * choice.probability : 0;
     }
   }
@@ -131,9 +132,9 @@ void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch,
   }
 }
 
-bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, LightSample& sample) const {
+bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, bool by_position, LightSample& sample) const {
   const PlacedLight* placed = placed_at(sample.light);
-  if (!placed) return sample_environment(u, sample);
+  if (!placed) return sample_environment(from, u, by_position, sample);
   sample.kind = LightKind::placed;
   const LightPlace place = placed->at(time);
   return placed->visit([&](const auto& emitter) { return emitter.sample(place, from, u, sample); });
@@ -161,14 +162,21 @@ LightSample LightTable::sample_placed(uint32_t light, const Vec3& from, float ti
   return sample;
 }
 
-bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
-  const auto direction = environment_.sample(u);
+bool LightTable::sample_environment(const Vec3& from, Vec2 u, bool by_position, LightSample& sample) const {
+  const float through = by_position && !portals_.empty() ? portals_.probability(from) : 0;
+  if (u.x < through) {
+    sample.wi = portals_.sample(from, {u.x / through, u.y});
+    sample.pdf = (1 - through) * environment_.pdf_solid_angle(sample.wi);
+  } else {
+    const auto direction = environment_.sample({std::min((u.x - through) / (1 - through), kOneMinusEpsilon), u.y});
+    sample.wi = direction.direction;
+    sample.pdf = (1 - through) * direction.pdf_solid_angle;
+  }
+  if (through > 0) sample.pdf += through * portals_.pdf(from, sample.wi);
   sample.kind = LightKind::environment;
-  sample.wi = direction.direction;
   sample.distance = kInfinity;
-  sample.pdf = direction.pdf_solid_angle;
   sample.delta = false;
-  sample.radiance = environment_.radiance(direction.direction);
+  sample.radiance = environment_.radiance(sample.wi);
   return sample.pdf > 0;
 }
 
@@ -179,9 +187,14 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at,
   return pdf > 0 ? selector_.probability(light, from, strategy) * pdf : 0;
 }
 
-float LightTable::pdf_environment(const Vec3& direction, LightStrategy strategy) const {
+float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightStrategy strategy) const {
   if (empty() || environment_.black()) return 0;
-  return selector_.probability(environment_number(), Vec3(0), strategy) * environment_.pdf_solid_angle(direction);
+  float pdf = environment_.pdf_solid_angle(direction);
+  if (strategy != LightStrategy::emission_pdf && !portals_.empty()) {
+    const float through = portals_.probability(from);
+    pdf = (1 - through) * pdf + (through > 0 ? through * portals_.pdf(from, direction) : 0);
+  }
+  return selector_.probability(environment_number(), Vec3(0), strategy) * pdf;
 }
 
 }  // namespace etendue

@@ -13,6 +13,7 @@
 
 #include "light/sampling/area_light_primitives.h"
 #include "light/sampling/environment_map.h"
+#include "light/sampling/environment_portals.h"
 #include "light/sampling/light_selector.h"
 #include "light/sampling/scene_sphere.h"
 
@@ -27,7 +28,7 @@ class LightTable {
   // `movers` has an entry per instance if any triangle moves. AreaLightTriangle::shape is an index into `shapes`.
   LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
              const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {},
-             std::vector<AnalyticAreaLight> shapes = {});
+             std::vector<AnalyticAreaLight> shapes = {}, std::vector<EnvironmentPortal> portals = {});
 
   // Without lights, or without any power.
   bool empty() const { return selector_.empty(); }
@@ -36,6 +37,7 @@ class LightTable {
   const std::vector<PlacedLight>& placed() const { return *placed_; }
   size_t placed_count() const;
   const EnvironmentMap& environment() const { return environment_; }
+  const EnvironmentPortals& portals() const { return portals_; }
 
   // The normal of an area light at a point, given by barycentric weights or the surface coordinates of a shape.
   Vec3 normal_at(uint32_t light, Vec2 at, float time) const { return primitives_.normal_at(light, at, time); }
@@ -50,9 +52,9 @@ class LightTable {
   void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
 
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
-  // point of an area light, or to the environment. Of LightStrategy::every they are those of the light's source.
+  // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are those of the light's source.
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightStrategy strategy) const;
-  float pdf_environment(const Vec3& direction, LightStrategy strategy) const;
+  float pdf_environment(const Vec3& from, const Vec3& direction, LightStrategy strategy) const;
   // The probability of choosing a light.
   float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
     return selector_.probability(light, from, strategy);
@@ -113,8 +115,8 @@ class LightTable {
   void sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples, bool by_solid_angle,
                     Choose&& choose) const;
   // Sets the pdf of a chosen light that is no area light, without the choice; false if the light does not reach `from`.
-  bool sample_other(const Vec3& from, Vec2 u, float time, LightSample& sample) const;
-  bool sample_environment(Vec2 u, LightSample& sample) const;
+  bool sample_other(const Vec3& from, Vec2 u, float time, bool by_position, LightSample& sample) const;
+  bool sample_environment(const Vec3& from, Vec2 u, bool by_position, LightSample& sample) const;
 
   void sample_placed_emission(const EmissionRandom& random, float probability, Emission& e) const;
   void sample_environment_emission(const EmissionRandom& random, float probability, Emission& e) const;
@@ -127,6 +129,7 @@ class LightTable {
   AreaLightPrimitives primitives_;
   std::shared_ptr<const std::vector<PlacedLight>> placed_;
   EnvironmentMap environment_;
+  EnvironmentPortals portals_;
   SceneSphere scene_;
   LightSelector selector_;
   bool has_point_lights_ = false;

@@ -56,9 +56,8 @@ struct DiskLight : AreaLightParameters {
 
   static LightBounds bounds(const AnalyticShape& shape, bool two_sided, float intensity) {
     LightBounds b;
-    const Vec3 half = shape.radius * glm::sqrt(glm::max(Vec3(0), 1.0f - shape.frame.z * shape.frame.z));
-    b.box.extend(shape.centre - half);
-    b.box.extend(shape.centre + half);
+    b.box.extend(shape.centre - shape.extent());
+    b.box.extend(shape.centre + shape.extent());
     b.axis = shape.frame.z;
     b.normals = 0;
     b.two_sided = two_sided;

@@ -67,8 +67,8 @@ struct SphereLight : AreaLightParameters {
   // A sphere emits as much in every direction as a disk of its radius that faces it: a quarter of its area.
   static LightBounds bounds(const AnalyticShape& shape, bool, float intensity) {
     LightBounds b;
-    b.box.extend(shape.centre - Vec3(shape.radius));
-    b.box.extend(shape.centre + Vec3(shape.radius));
+    b.box.extend(shape.centre - shape.extent());
+    b.box.extend(shape.centre + shape.extent());
     b.intensity = intensity / 4;
     return b;
   }

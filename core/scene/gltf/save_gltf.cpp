@@ -55,7 +55,7 @@ class Saver {
     gltf::export_textures(out_);
     gltf::export_materials(out_);
     gltf::export_meshes(out_);
-    gltf::export_cameras_and_lights(out_);
+    gltf::export_cameras_and_lights(out_, path_.parent_path());
     gltf::export_nodes(out_);
     gltf::export_skins(out_);
     gltf::export_animations(out_);

@@ -140,7 +140,8 @@ void add_environment(PathWavefront<M>& paths, Combination combination = {},
   add_environment_weighted(paths, [&](int i) {
     const float bsdf_pdf = paths.missed_path(i).pdf;
     if (!combination || bsdf_pdf == 0) return 1.0f;
-    return mis_weight(*combination, bsdf_pdf, lights.pdf_environment(paths.miss_direction(i), strategy));
+    return mis_weight(*combination, bsdf_pdf,
+                      lights.pdf_environment(paths.missed_path(i).from, paths.miss_direction(i), strategy));
   });
 }
 

@@ -222,6 +222,17 @@ class PathWavefront {
     return ray;
   }
 
+  // Moves the current vertex of a path to another hit, seen from the direction `wo`.
+  void move_vertex(int hit, const Hit& to, const Vec3& wo) {
+    const auto i = static_cast<size_t>(hit), slot = static_cast<size_t>(visited_ + hit);
+    hits_[slot] = to;
+    wo_[slot] = wo;
+    scene_->surfaces({&wo, 1}, {&to, 1}, &points_[i], timed_ ? &times_[i] : nullptr);
+    if constexpr (M::kMedia) media_.set_media(visited_ + hit, points_[i]);
+    build_bsdf<M>(points_[i], bsdfs_[i]);
+    positions_.set(i, points_[i].position);
+  }
+
   // The medium state of a path that continues from a hit in this direction.
   MediumState<M> medium_beyond(int hit, const Vec3& direction) const {
     if constexpr (M::kMedia)

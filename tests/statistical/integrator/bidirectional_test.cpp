@@ -25,7 +25,7 @@ Document cornell() { return test::cornell(test::kSize); }
 // Camera paths cannot sample light of a point light that reaches a diffuse surface through glass. Light tracing and
 // bidirectional path tracing are compared with each other on these paths.
 TEST(Bidirectional, PunctualLights) {
-  for (const char* type : {"point", "spot", "directional"}) {
+  for (const char* type : {"point", "spot", "directional", "photometric", "projector"}) {
     const Document d = balls_under_light(type), connected = with(d, "film.paths", "E.*(D|G)L");
     const std::string name = std::string(type) + " light";
     expect_same_mean(with_integrator(connected, "path"), 128, with_integrator(connected, "bdpt"), 64, name, 6);
@@ -33,6 +33,26 @@ TEST(Bidirectional, PunctualLights) {
     expect_same_mean(with_integrator(lit, "light"), 384, with_integrator(lit, "bdpt"), 128,
                      name + ", caustics included", 6);
   }
+}
+
+// The disk of the sun is an end of light paths as well as of camera paths.
+TEST(Bidirectional, SunOfTheSky) {
+  const Document d = without_specular_first_hit(test::balls_under_sun());
+  expect_same_mean(with_integrator(d, "path"), 512, with_integrator(d, "bdpt"), 128, "sun", 6);
+  expect_same_mean(with_integrator(d, "light"), 512, with_integrator(d, "bdpt"), 128, "sun, light paths", 6);
+}
+
+// A portal over one of two openings of a room changes no mean, and reduces the variance.
+TEST(Bidirectional, PortalsAreUnbiased) {
+  const Document plain = test::room_with_two_windows(false), guided = test::room_with_two_windows(true);
+  expect_same_mean(with_integrator(plain, "path"), 512, with_integrator(guided, "path"), 256, "path", 4);
+  expect_same_mean(with_integrator(plain, "distribution"), 128, with_integrator(guided, "distribution"), 64,
+                   "distribution", 4);
+  expect_same_mean(with_integrator(guided, "bdpt"), 256, with_integrator(guided, "path"), 256, "bdpt", 4);
+  const auto error = [](const Document& d) {
+    return test::mean_of(test::rendered(with_integrator(d, "path"), 64)).standard_error;
+  };
+  EXPECT_LT(error(guided), error(plain));
 }
 
 // Light subpaths leave a two-sided light on both sides.

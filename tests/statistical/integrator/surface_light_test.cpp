@@ -77,6 +77,31 @@ TEST(SurfaceLight, QuadOverAParallelFloor) {
   }
 }
 
+// The irradiance of a receiver that faces the middle of the axis of a cylinder, for radiance one. alpha is the angle
+// across the axis, t the angle out of that plane, with the cosine cos alpha cos t and the solid angle cos t.
+double cylinder_irradiance(double radius, double length, double distance) {
+  const double edge = std::asin(radius / distance);
+  constexpr int kSteps = 20'000;
+  double sum = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double alpha = edge * (2 * (k + 0.5) / kSteps - 1);
+    const double across = distance * std::cos(alpha) - std::sqrt(sqr(radius) - sqr(distance * std::sin(alpha)));
+    const double t = std::atan(0.5 * length / across);
+    sum += std::cos(alpha) * (t + std::sin(t) * std::cos(t)) * 2 * edge / kSteps;
+  }
+  return sum;
+}
+
+TEST(SurfaceLight, CylinderOverAParallelFloor) {
+  EXPECT_NEAR(cylinder_irradiance(0.1, 1e6, 1), static_cast<double>(kPi) * 0.1, 1e-6) << "pi R / d of a long tube";
+  for (const float scale : {1e-3f, 1.0f, 1e3f})
+    for (const double height : {0.32, 1.0, 20.0}) {
+      const Light tube = make_light("cylinder", {{"radius", 0.3 * double{scale}}, {"length", 2 * double{scale}}});
+      expect_irradiance(point_of_floor(tube, above(static_cast<float>(height) * scale), scale),
+                        cylinder_irradiance(0.3, 2, height), "height " + std::to_string(height));
+    }
+}
+
 // The back of a one-sided light is black; that of a two-sided light has the radiance of its front.
 TEST(SurfaceLight, EmitsFromItsSides) {
   for (const char* type : {"quad", "disk"}) {

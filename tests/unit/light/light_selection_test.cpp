@@ -52,7 +52,7 @@ TEST(LightSelection, TreeSamplesHaveTheStatedDensities) {
       const Vec3 from = receivers.from[i];
       const Vec3 point = from + s.wi * s.distance;
       const float pdf = s.kind == LightKind::triangle ? table.pdf_triangle(s.light, from, point, 0, LightStrategy::tree)
-                        : s.kind == LightKind::environment ? table.pdf_environment(s.wi, LightStrategy::tree)
+                        : s.kind == LightKind::environment ? table.pdf_environment(from, s.wi, LightStrategy::tree)
                                                            : table.probability(s.light, from, LightStrategy::tree);
       EXPECT_NEAR(s.pdf / pdf, 1, 2e-3f);
     }

@@ -101,7 +101,7 @@ TEST(LightTable, SourcesAreInstancesPlacedLightsAndTheEnvironment) {
         const float expected = table.pdf_triangle(s.light, receivers.from[i], point, 0, LightStrategy::every);
         EXPECT_NEAR(s.pdf / expected, 1, 1e-3f);
       } else if (s.kind == LightKind::environment) {
-        EXPECT_NEAR(s.pdf, table.pdf_environment(s.wi, LightStrategy::every), 1e-5f);
+        EXPECT_NEAR(s.pdf, table.pdf_environment(receivers.from[i], s.wi, LightStrategy::every), 1e-5f);
       } else {
         EXPECT_EQ(s.pdf, 1);
       }

@@ -40,9 +40,16 @@ void expect_near(const Estimate& a, const Estimate& b, const std::string& what) 
 
 // Each type with its defaults, and with one parameter changed.
 std::vector<Light> lights() {
-  const std::pair<const char*, Value> kChanges[] = {
-      {"focus", 2.5},      {"two-sided", true}, {"quantity", std::string("power")},    {"points", int64_t{5}},
-      {"inner-cone", 0.7}, {"range", 2.0},      {"profile", std::string("smoothstep")}};
+  const std::pair<const char*, Value> kChanges[] = {{"focus", 2.5},
+                                                    {"two-sided", true},
+                                                    {"quantity", std::string("power")},
+                                                    {"points", int64_t{5}},
+                                                    {"inner-cone", 0.7},
+                                                    {"range", 2.0},
+                                                    {"profile", std::string("smoothstep")},
+                                                    {"length", 4.0},
+                                                    {"radius", 0.8},
+                                                    {"image", std::string("bars")}};
   std::vector<Light> list;
   for (const LightTypeInfo& info : light_type_infos()) {
     Light light = make_light(info.description.name, {{"intensity", 3.0}});
@@ -50,7 +57,9 @@ std::vector<Light> lights() {
     list.push_back(light);
     for (const auto& [parameter, value] : kChanges) {
       Light changed = light;
-      if (!changed.set(parameter, value)) continue;
+      if (!find_parameter(info.parameters, parameter)) continue;
+      if (!checked_value(*find_parameter(info.parameters, parameter), value)) continue;
+      changed.set(parameter, value);
       changed.name += std::string(" with ") + parameter;
       list.push_back(changed);
     }

@@ -137,13 +137,16 @@ TEST(LightFlux, InfiniteLightsHaveNoFlux) {
 
 // 2 pi A s L0 / (k + 2), the integral of L0 cos^k times the cosine over the area A of s sides and over the hemisphere.
 TEST(LightFlux, AreaLights) {
-  const std::pair<const char*, double> kAreas[] = {
-      {"quad", 0.7 * 0.4}, {"disk", kPiD * 0.3 * 0.3}, {"sphere", 4 * kPiD * 0.3 * 0.3}};
+  const std::pair<const char*, double> kAreas[] = {{"quad", 0.7 * 0.4},
+                                                   {"disk", kPiD * 0.3 * 0.3},
+                                                   {"sphere", 4 * kPiD * 0.3 * 0.3},
+                                                   {"cylinder", 2 * kPiD * 0.3 * 0.9}};
   for (const auto& [type, area] : kAreas)
     for (const double k : {0.0, 2.5})
       for (const bool two_sided : {false, true}) {
         Light light = coloured(make_light(type, {{"focus", k}}));
-        for (const auto& [size, value] : {std::pair("width", 0.7), std::pair("height", 0.4), std::pair("radius", 0.3)})
+        for (const auto& [size, value] :
+             {std::pair("width", 0.7), std::pair("height", 0.4), std::pair("radius", 0.3), std::pair("length", 0.9)})
           light.set(size, value);
         const int sides = light.set("two-sided", two_sided) && two_sided ? 2 : 1;
         const double expected = 0.5 * 3 * 2 * kPiD / (k + 2) * area * sides;

@@ -61,6 +61,37 @@ TEST(Meter, UnderADisk) {
   EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), 3 * 3.14159265 * 3.14159265, 2e-3);
 }
 
+// The exitance of a disk of radiance 3 is 3 pi; a point light of 5 cd at 2 m has this intensity towards the floor.
+TEST(Meter, ExitanceAndIntensities) {
+  scene::Scene scene;
+  scene::add(scene, make_light("point", {{"intensity", 5.0}}), {.translation = {0, 2, 0}});
+  scene.lights.back().name = "bulb";
+  const auto m = read(over_floor(std::move(scene)), 4);
+  ASSERT_EQ(m.lights.size(), 1U);
+  EXPECT_EQ(m.lights[0].name, "bulb");
+  EXPECT_NEAR(m.lights[0].intensity.g, 5, 1e-4);
+  EXPECT_NEAR(m.lights[0].distance, 2, 1e-4);
+  EXPECT_EQ(m.emitted_exitance, Rgb(0));
+
+  scene::Scene lit;
+  Document d = over_floor(std::move(lit));
+  auto emitting = std::make_shared<scene::Scene>(*d.scene);
+  emitting->materials.back() = scene::diffuse(Rgb(0), Rgb(3));
+  d.scene = emitting;
+  EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_exitance.g), 3 * 3.14159265, 1e-3);
+}
+
+// A uniform sky of radiance one sends the flux pi A to a square on the floor.
+TEST(Meter, SquareReceivesFlux) {
+  scene::Scene scene;
+  scene.environment.tint = Rgb(1);
+  const Document d = over_floor(std::move(scene));
+  const auto compiled = scene::compile(d.scene, d.camera, nullptr);
+  const auto point = meter_point_at(d, *compiled, Vec2(32));
+  ASSERT_TRUE(point);
+  expect(measure_received_flux(d, *compiled, *point, 1.5f, 64, 1), 2.25 * 3.14159265);
+}
+
 // A constant environment of radiance one has irradiance pi on a floor without occluders.
 TEST(Meter, UnderASky) {
   scene::Scene scene;

@@ -3,6 +3,7 @@
 
 #include "light/light.h"
 #include "scene/gltf/export/output_file.h"
+#include "scene/gltf/transport_extension.h"
 
 namespace etendue::scene::gltf {
 namespace {
@@ -40,7 +41,7 @@ float punctual_intensity(const Light& light) {
   return color > 0 ? luminance(light.flux()) / (4 * kPi * color) : 0;
 }
 
-Json light_of(OutputFile& out, const Light& light) {
+Json light_of(OutputFile& out, const Light& light, const std::filesystem::path& folder) {
   const auto value = [&](const char* parameter) {
     const auto v = light.parameter(parameter);
     return v ? std::optional(static_cast<float>(std::get<double>(*v))) : std::nullopt;
@@ -52,7 +53,7 @@ Json light_of(OutputFile& out, const Light& light) {
   if (value("range").value_or(0) > 0) to["range"] = number(*value("range"));
   if (const auto inner = value("inner-cone"), outer = value("outer-cone"); inner && outer)
     to["spot"] = {{"innerConeAngle", number(*inner)}, {"outerConeAngle", number(*outer)}};
-  export_light_extension(out, light, to);
+  export_light_extension(out, light, folder, to);
   return to;
 }
 
@@ -78,16 +79,18 @@ Json node_of(OutputFile& out, const Node& node) {
   if (node.camera >= 0) to["camera"] = node.camera;
   if (node.light >= 0) out.extend(to, "KHR_lights_punctual")["light"] = node.light;
   if (!node.visible) out.extend(to, "KHR_node_visibility")["visible"] = false;
+  if (node.portal != Vec2(0))
+    out.extend(to, kTransport)["portal"] = {{"width", number(node.portal.x)}, {"height", number(node.portal.y)}};
   return to;
 }
 
 }  // namespace
 
-void export_cameras_and_lights(OutputFile& out) {
+void export_cameras_and_lights(OutputFile& out, const std::filesystem::path& folder) {
   for (const Camera& camera : out.scene.cameras) out.add("cameras", camera_of(out, camera));
   if (out.scene.lights.empty()) return;
   Json& lights = out.extend(out.root, "KHR_lights_punctual")["lights"];
-  for (const Light& light : out.scene.lights) lights.push_back(light_of(out, light));
+  for (const Light& light : out.scene.lights) lights.push_back(light_of(out, light, folder));
 }
 
 void export_nodes(OutputFile& out) {

@@ -15,6 +15,15 @@ std::string uri_of(const std::filesystem::path& file, const std::filesystem::pat
   return (relative.empty() || relative.string().starts_with("../..") ? absolute : relative).generic_string();
 }
 
+void put_sky(Json& to, const Sky& sky) {
+  const Sky defaults;
+  put(to, "sunElevation", sky.sun_elevation, defaults.sun_elevation);
+  put(to, "sunAzimuth", sky.sun_azimuth, defaults.sun_azimuth);
+  put(to, "turbidity", sky.turbidity, defaults.turbidity);
+  put(to, "groundAlbedo", sky.ground_albedo, defaults.ground_albedo);
+  if (!sky.sun_disk) to["sunDisk"] = false;
+}
+
 Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   const Environment& e = out.scene.environment;
   Json to = Json::object();
@@ -27,6 +36,7 @@ Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
   put(to, "rotation", e.rotation, 0);
   if (!e.visible) to["visible"] = false;
+  if (e.sky && e.file == to.value("preset", "")) put_sky(to, *e.sky);
   if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);
   return to;
 }
@@ -100,7 +110,7 @@ void export_layering(OutputFile& out, Layering layering, Json& object) {
 }
 
 // Writes the type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
-void export_light_extension(OutputFile& out, const Light& light, Json& object) {
+void export_light_extension(OutputFile& out, const Light& light, const std::filesystem::path& folder, Json& object) {
   const LightTypeInfo& type = light.info();
   const bool punctual = type.description.punctual;
   Json to = Json::object();
@@ -111,7 +121,10 @@ void export_light_extension(OutputFile& out, const Light& light, Json& object) {
     const bool is_default = p.default_value == type.parameters[i].default_value;
     const bool is_written = punctual ? !is_default && std::ranges::count(kPunctualParameters, p.name) == 0
                                      : !is_default || p.name == "intensity";
-    if (is_written) to[member_name(p.name)] = current_value(p);
+    if (!is_written) continue;
+    Json& member = to[member_name(p.name)] = current_value(p);
+    const bool is_file = p.validate_text && std::ranges::count(p.options, member.get<std::string>()) == 0;
+    if (is_file) member = uri_of(member.get<std::string>(), folder);
   }
   if (!to.empty()) out.extend(object, kTransport) = std::move(to);
 }

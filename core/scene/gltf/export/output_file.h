@@ -68,7 +68,7 @@ void put_name(Json& object, const std::string& name);
 void export_textures(OutputFile& out);
 void export_materials(OutputFile& out);
 void export_meshes(OutputFile& out);
-void export_cameras_and_lights(OutputFile& out);
+void export_cameras_and_lights(OutputFile& out, const std::filesystem::path& folder);
 void export_nodes(OutputFile& out);
 void export_skins(OutputFile& out);
 void export_animations(OutputFile& out);
@@ -79,7 +79,7 @@ void export_camera_extension(OutputFile& out, const Camera& camera, Json& object
 void export_bsdf_model(OutputFile& out, const BsdfModelRef& model, Json& object);
 void export_layering(OutputFile& out, Layering layering, Json& object);
 void export_medium(OutputFile& out, const Material& material, Json& object);
-void export_light_extension(OutputFile& out, const Light& light, Json& object);
+void export_light_extension(OutputFile& out, const Light& light, const std::filesystem::path& folder, Json& object);
 
 // The index of a material in the file; -1 for the default material of the specification, which is not written.
 int material_index(const Scene& scene, int material);

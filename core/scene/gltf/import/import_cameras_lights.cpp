@@ -80,7 +80,8 @@ void import_cameras(const InputFile& input, Scene& scene) {
 void import_lights(const InputFile& input, Scene& scene) {
   for (size_t i = 0; i < input.model.lights.size(); ++i) {
     scene.lights.push_back(import_light(input.model.lights[i], at("lights", i), scene.warnings));
-    import_light_extension(input.model.lights[i].extensions, at("lights", i), scene.lights.back(), scene.warnings);
+    import_light_extension(input, input.model.lights[i].extensions, at("lights", i), scene.lights.back(),
+                           scene.warnings);
   }
 }
 

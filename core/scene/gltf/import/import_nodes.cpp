@@ -53,6 +53,7 @@ class NodeImporter {
                                                   where + ".extensions.KHR_lights_punctual.light", "lights"));
     if (const auto* extension = find_extension(from.extensions, "KHR_node_visibility"))
       if (extension->Get("visible").IsBool()) node.visible = extension->Get("visible").Get<bool>();
+    node.portal = import_portal(from.extensions, where, scene_.warnings);
     const bool is_rendered = node.mesh >= 0 && node.skin < 0;
     if (is_rendered && is_singular(node.transform.to_matrix()))
       warn(where, "the transform is singular, as with a scale of 0; the mesh is not rendered");

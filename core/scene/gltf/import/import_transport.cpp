@@ -5,7 +5,7 @@
 #include <cctype>
 #include <limits>
 
-#include "light/environments/builtin_environment.h"
+#include "light/environments/sky.h"
 #include "scene/coordinate_range.h"
 #include "scene/environment_file.h"
 #include "scene/gltf/import/importers.h"
@@ -55,6 +55,16 @@ class TransportReader {
   std::vector<std::string>& warnings_;
 };
 
+Sky read_sky(TransportReader& reader, const Sky& defaults) {
+  Sky sky;
+  sky.sun_elevation = reader.number("sunElevation", defaults.sun_elevation, 0, kPi / 2);
+  sky.sun_azimuth = reader.number("sunAzimuth", defaults.sun_azimuth, -2 * kPi, 2 * kPi);
+  sky.turbidity = reader.number("turbidity", defaults.turbidity, kLeastTurbidity, kLargestTurbidity);
+  sky.ground_albedo = reader.number("groundAlbedo", defaults.ground_albedo, 0, 1);
+  sky.sun_disk = reader.flag("sunDisk", defaults.sun_disk);
+  return sky;
+}
+
 Environment read_environment(const InputFile& input, TransportReader reader) {
   constexpr float kLowest = std::numeric_limits<float>::lowest();
   Environment environment;
@@ -63,9 +73,12 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   environment.visible = reader.flag("visible", true);
   if (const std::string preset = reader.text("preset"); !preset.empty()) {
     if (const BuiltinEnvironment* builtin = find_builtin_environment(preset)) {
-      const Environment made = make_environment(*builtin);
-      environment.map = made.map;
-      environment.file = made.file;
+      Environment made = make_environment(*builtin);
+      if (made.sky) made = make_sky(read_sky(reader, *made.sky));
+      made.tint = environment.tint;
+      made.rotation = environment.rotation;
+      made.visible = environment.visible;
+      environment = std::move(made);
     } else {
       reader.warn("preset: there is no environment '" + preset + "'; the tint alone lights the scene");
     }
@@ -84,9 +97,24 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   return environment;
 }
 
+// Sets a parameter that is the path of a file to the file that the member names.
+void read_file_parameter(TransportReader& reader, const ParameterInfo& info, const std::filesystem::path& folder,
+                         Light& light) {
+  const std::string member = member_name(info.name);
+  const std::string uri = reader.text(member.c_str());
+  const auto file = file_of_uri(folder, uri);
+  const std::string path = file ? file->lexically_normal().string() : "";
+  const Result<void> accepted =
+      file ? info.validate_text(path) : input_error("'" + shown_uri(uri) + "' is not a local file");
+  if (accepted)
+    light.set(info.name, path);
+  else
+    reader.warn(member + ": " + accepted.error().message + "; it is ignored");
+}
+
 // Sets a light's parameter to the member of its name, where there is one.
 void read_parameter(const tinygltf::Value& extension, TransportReader& reader, const ParameterInfo& info,
-                    Light& light) {
+                    const std::filesystem::path& folder, Light& light) {
   const std::string member = member_name(info.name);
   if (!extension.Has(member)) return;
   if (info.type == ParameterType::toggle) {
@@ -101,6 +129,8 @@ void read_parameter(const tinygltf::Value& extension, TransportReader& reader, c
     light.set(info.name, int64_t{std::clamp(value, static_cast<int>(info.min), static_cast<int>(info.max))});
   } else if (const std::string name = reader.text(member.c_str()); std::ranges::count(info.options, name) > 0) {
     light.set(info.name, name);
+  } else if (info.validate_text) {
+    read_file_parameter(reader, info, folder, light);
   } else {
     reader.warn(member + ": '" + name.substr(0, 40) + "' is not an allowed value; it is ignored");
   }
@@ -165,8 +195,8 @@ std::string member_name(std::string_view parameter) {
   return name;
 }
 
-void import_light_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
-                            std::vector<std::string>& warnings) {
+void import_light_extension(const InputFile& input, const tinygltf::ExtensionMap& extensions, const std::string& where,
+                            Light& light, std::vector<std::string>& warnings) {
   const auto* extension = find_extension(extensions, kTransport);
   if (!extension) return;
   TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
@@ -180,7 +210,16 @@ void import_light_extension(const tinygltf::ExtensionMap& extensions, const std:
       reader.warn("type: '" + name.substr(0, 40) + "' is not an allowed value; it is ignored");
     }
   }
-  for (const ParameterInfo& info : light.model->parameters()) read_parameter(*extension, reader, info, light);
+  for (const ParameterInfo& info : light.model->parameters())
+    read_parameter(*extension, reader, info, input.folder, light);
+}
+
+Vec2 import_portal(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, kTransport);
+  if (!extension || !extension->Get("portal").IsObject()) return Vec2(0);
+  TransportReader reader(extension->Get("portal"), where + ".extensions." + kTransport + ".portal", warnings);
+  return {reader.number("width", 0, 0, kMaxCoordinate), reader.number("height", 0, 0, kMaxCoordinate)};
 }
 
 void import_transport(const InputFile& input, Scene& scene) {

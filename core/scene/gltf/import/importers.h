@@ -46,8 +46,11 @@ BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const s
 Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
                          std::vector<std::string>& warnings);
 // ETENDUE_transport of a light: properties that KHR_lights_punctual does not have.
-void import_light_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
-                            std::vector<std::string>& warnings);
+void import_light_extension(const InputFile& input, const tinygltf::ExtensionMap& extensions, const std::string& where,
+                            Light& light, std::vector<std::string>& warnings);
+// ETENDUE_transport of a node: the size of its environment portal, 0 without one.
+Vec2 import_portal(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   std::vector<std::string>& warnings);
 // ETENDUE_transport of a camera: lens and shutter.
 void import_camera_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,
                              std::vector<std::string>& warnings);

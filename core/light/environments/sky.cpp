@@ -1,0 +1,183 @@
+#include "light/environments/sky.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "light/environments/map_of_radiance.h"
+#include "spectrum/blackbody.h"
+
+namespace etendue {
+namespace {
+
+constexpr double kPiD = 3.14159265358979;
+constexpr double kSunTemperature = 5778;    // K
+constexpr double kSunIlluminance = 128000;  // lx above the atmosphere
+constexpr float kLimbDarkening = 0.6f;
+
+// A distribution over the sky: F = (1 + a exp(b / cos theta)) (1 + c exp(d gamma) + e cos^2 gamma), with the angles
+// theta to the zenith and gamma to the sun [Perez et al. 1993].
+struct PerezFunction {
+  double a, b, c, d, e;
+
+  double operator()(double cos_theta, double gamma) const {
+    const double cos_gamma = std::cos(gamma);
+    return (1 + a * std::exp(b / cos_theta)) * (1 + c * std::exp(d * gamma) + e * cos_gamma * cos_gamma);
+  }
+};
+
+// A cubic polynomial of the sun's zenith angle whose coefficients are quadratic in the turbidity.
+double zenith_chromaticity(const double (&m)[3][4], double turbidity, double theta) {
+  const double powers[] = {turbidity * turbidity, turbidity, 1};
+  double sum = 0;
+  for (int row = 0; row < 3; ++row)
+    sum += powers[row] * (((m[row][0] * theta + m[row][1]) * theta + m[row][2]) * theta + m[row][3]);
+  return sum;
+}
+
+constexpr double kZenithX[3][4] = {
+    {0.00166, -0.00375, 0.00209, 0}, {-0.02903, 0.06377, -0.03202, 0.00394}, {0.11693, -0.21196, 0.06052, 0.25886}};
+constexpr double kZenithY[3][4] = {
+    {0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
+
+Rgb rgb_of_xyy(double x, double y, double luminance) {
+  const double X = x / y * luminance;
+  const double Z = (1 - x - y) / y * luminance;
+  const auto clipped = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
+  return {clipped(3.2404542 * X - 1.5371385 * luminance - 0.4985314 * Z),
+          clipped(-0.9692660 * X + 1.8760108 * luminance + 0.0415560 * Z),
+          clipped(0.0556434 * X - 0.2040259 * luminance + 1.0572252 * Z)};
+}
+
+// The model for one position of the sun [Preetham et al. 1999, appendix A.2].
+class PreethamSky {
+ public:
+  explicit PreethamSky(const Sky& sky) : sun_(sun_direction(sky)) {
+    const double t = sky.turbidity;
+    theta_ = kPiD / 2 - std::clamp(static_cast<double>(sky.sun_elevation), 0.0, kPiD / 2);
+    luminance_ = {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771,
+                  -0.0670 * t + 0.3703};
+    x_ = {-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125, -0.0641 * t - 0.8989, -0.0033 * t + 0.0452};
+    y_ = {-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102, -0.0441 * t - 1.6537, -0.0109 * t + 0.0529};
+    const double chi = (4.0 / 9 - t / 120) * (kPiD - 2 * theta_);
+    const double zenith = 1000 * ((4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192);  // cd/m^2
+    scale_ = {std::max(zenith, 0.0) / luminance_(1, theta_), zenith_chromaticity(kZenithX, t, theta_) / x_(1, theta_),
+              zenith_chromaticity(kZenithY, t, theta_) / y_(1, theta_)};
+  }
+
+  Rgb radiance(const Vec3& direction) const {
+    constexpr double kLowestCosine = 1e-3;  // the horizon itself
+    const double cosine = std::max(static_cast<double>(direction.y), kLowestCosine);
+    const double gamma = std::acos(std::clamp(static_cast<double>(glm::dot(direction, sun_)), -1.0, 1.0));
+    return rgb_of_xyy(scale_[1] * x_(cosine, gamma), scale_[2] * y_(cosine, gamma),
+                      scale_[0] * luminance_(cosine, gamma));
+  }
+
+ private:
+  Vec3 sun_;
+  double theta_;  // of the sun, from the zenith
+  PerezFunction luminance_{}, x_{}, y_{};
+  std::array<double, 3> scale_{};
+};
+
+// The absorption coefficient of ozone every 20 nm from 380 nm, 1/cm [Leckner 1978].
+constexpr double kOzone[] = {0,     0,     0,     0.003, 0.006, 0.014, 0.030, 0.048, 0.075, 0.103, 0.120,
+                             0.125, 0.105, 0.079, 0.057, 0.036, 0.023, 0.014, 0.010, 0.008, 0.007};
+
+double ozone_absorption(double wavelength) {
+  const double at = std::clamp((wavelength - 380) / 20, 0.0, static_cast<double>(std::size(kOzone) - 1) - 1e-9);
+  const auto i = static_cast<size_t>(at);
+  return kOzone[i] + (at - static_cast<double>(i)) * (kOzone[i + 1] - kOzone[i]);
+}
+
+// Of a path through the whole atmosphere; the wavelength in nm.
+double transmittance(double wavelength, double air_mass, double turbidity) {
+  constexpr double kOzoneThickness = 0.35;  // cm
+  const double micrometres = wavelength / 1000;
+  const double rayleigh = 0.008735 * std::pow(micrometres, -4.08);
+  const double aerosol = std::max(0.04608 * turbidity - 0.04586, 0.0) * std::pow(micrometres, -1.3);
+  return std::exp(-air_mass * (rayleigh + aerosol + kOzoneThickness * ozone_absorption(wavelength)));
+}
+
+// Relative to the zenith [Kasten 1966].
+double air_mass_of(double elevation) {
+  return 1 / (std::sin(elevation) + 0.15 * std::pow(elevation * 180 / kPiD + 3.885, -1.253));
+}
+
+double solid_angle_of_sun() { return 4 * kPiD * std::pow(std::sin(0.5 * static_cast<double>(kSunAngularRadius)), 2); }
+
+// Of the horizontal by the sky, lx, from the map with the rows above the horizon.
+Rgb illuminance_of(const image::Image& map) {
+  Rgb sum(0);
+  const float step = kPi / static_cast<float>(map.height);
+  for (int row = 0; row < map.height / 2; ++row) {
+    const float theta = (static_cast<float>(row) + 0.5f) * step;
+    const float weight = std::cos(theta) * std::sin(theta) * step * 2 * kPi / static_cast<float>(map.width);
+    for (int column = 0; column < map.width; ++column) {
+      const auto at = static_cast<size_t>(3 * (row * map.width + column));
+      sum += Rgb(map.floats[at], map.floats[at + 1], map.floats[at + 2]) * weight;
+    }
+  }
+  return sum;
+}
+
+std::shared_ptr<const image::Image> map_of(const Sky& sky) {
+  const PreethamSky model(sky);
+  auto map = std::make_shared<image::Image>(
+      *environment_map_of([&](const Vec3& direction) { return direction.y > 0 ? model.radiance(direction) : Rgb(0); }));
+  Rgb illuminance = illuminance_of(*map);
+  if (sky.sun_disk)
+    illuminance += sun_radiance(sky) * (static_cast<float>(solid_angle_of_sun()) * std::sin(sky.sun_elevation));
+  const Rgb ground = illuminance * (sky.ground_albedo * kInvPi);
+  for (size_t at = map->floats.size() / 2; at < map->floats.size(); ++at)
+    map->floats[at] = ground[static_cast<int>(at % 3)];
+  return map;
+}
+
+std::shared_ptr<const image::Image> shared_map_of(const Sky& sky) {
+  static std::mutex mutex;
+  static std::vector<std::pair<Sky, std::weak_ptr<const image::Image>>> maps;
+  const std::scoped_lock lock(mutex);
+  std::erase_if(maps, [](const auto& entry) { return entry.second.expired(); });
+  for (const auto& [known, map] : maps)
+    if (known == sky)
+      if (auto shared = map.lock()) return shared;
+  auto map = map_of(sky);
+  maps.emplace_back(sky, map);
+  return map;
+}
+
+}  // namespace
+
+Vec3 sun_direction(const Sky& sky) {
+  const float across = std::cos(sky.sun_elevation);
+  return {std::sin(sky.sun_azimuth) * across, std::sin(sky.sun_elevation), std::cos(sky.sun_azimuth) * across};
+}
+
+Rgb sky_radiance(const Sky& sky, const Vec3& direction) { return PreethamSky(sky).radiance(direction); }
+
+Rgb sun_radiance(const Sky& sky) {
+  const double air_mass = air_mass_of(std::max(static_cast<double>(sky.sun_elevation), 0.0));
+  const Rgb color = filtered_blackbody_color(kSunTemperature, [&](double wavelength) {
+    return transmittance(wavelength, air_mass, static_cast<double>(sky.turbidity));
+  });
+  return color * static_cast<float>(kSunIlluminance / solid_angle_of_sun());
+}
+
+Environment make_sky(const Sky& sky) {
+  Environment environment;
+  environment.map = shared_map_of(sky);
+  environment.file = kSky.name;
+  environment.tint = Rgb(1);
+  environment.sky = sky;
+  if (sky.sun_disk)
+    environment.sun = SunDisk{.direction = sun_direction(sky),
+                              .radiance = sun_radiance(sky),
+                              .angular_radius = kSunAngularRadius,
+                              .limb_darkening = kLimbDarkening};
+  return environment;
+}
+
+}  // namespace etendue

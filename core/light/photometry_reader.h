@@ -1,0 +1,53 @@
+// Reads photometric files of IES LM-63.                                                              [IES LM-63-2002]
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "light/photometry_profile.h"
+
+namespace etendue {
+
+// Input errors name the file, the line and what would be right. `name` stands for the file.
+Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name);
+Result<PhotometryProfile> read_photometry(const std::filesystem::path& path);
+
+class PhotometryReader {
+ public:
+  PhotometryReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  Result<PhotometryProfile> read();
+
+ private:
+  using Type = PhotometryProfile::Type;
+  // Angles in radians that ascend, and one row of `polar` values per azimuth.
+  struct Grid {
+    std::vector<float> polar, azimuths, values;
+  };
+
+  Error error(const std::string& what) const;
+  // Moves past the keywords to the line after TILT.
+  Result<void> skip_header();
+  Result<void> skip_tilt();
+  std::string_view next_line();
+  std::string_view next_word();
+  Result<double> number(const char* what);
+  Result<int> count(const char* what, int largest);
+  // Ascending, in degrees.
+  Result<std::vector<float>> angles(int count, const char* what);
+
+  Result<Grid> grid_of_type_c(const std::vector<float>& vertical, const std::vector<float>& horizontal,
+                              const std::vector<float>& values) const;
+  Grid grid_of_type_b(std::vector<float> vertical, const std::vector<float>& horizontal,
+                      const std::vector<float>& values) const;
+  Grid grid_of_type_a(const std::vector<float>& vertical, const std::vector<float>& horizontal,
+                      const std::vector<float>& values) const;
+
+  std::string_view text_;
+  const std::string& name_;
+  size_t at_ = 0;
+  int line_ = 1;
+};
+
+}  // namespace etendue

@@ -1,0 +1,49 @@
+// The normalised diffusion profile of subsurface scattering.
+#include "bsdf/diffusion_profile.h"
+
+#include <gtest/gtest.h>
+
+namespace etendue {
+namespace {
+
+// The integral of R / A over the plane within a radius, by the midpoint rule in the square root of the radius.
+double share_within(const DiffusionProfile& profile, double radius) {
+  constexpr int kSteps = 20'000;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double root = std::sqrt(radius) * (i + 0.5) / kSteps;
+    const double r = root * root;
+    sum += 2 * M_PI * r * static_cast<double>(profile.value(static_cast<float>(r))) * 2 * root * std::sqrt(radius) /
+           kSteps;
+  }
+  return sum;
+}
+
+TEST(DiffusionProfile, IntegratesToOne) {
+  for (const float length : {1e-6f, 1e-3f, 2.0f})
+    for (const float albedo : {0.0f, 0.3f, 0.8f, 1.0f}) {
+      const DiffusionProfile profile(length, albedo);
+      EXPECT_NEAR(share_within(profile, static_cast<double>(profile.largest_radius())), 1, 1e-3) << length << albedo;
+    }
+}
+
+// The share of the light within a sampled radius is the random number.
+TEST(DiffusionProfile, SampledRadiiFollowTheDistribution) {
+  const DiffusionProfile profile(0.01f, 0.6f);
+  constexpr int kSamples = 4000;
+  for (const double radius : {0.002, 0.01, 0.03, 0.1}) {
+    int within = 0;
+    for (int i = 0; i < kSamples; ++i)
+      within += static_cast<double>(profile.sample_radius((static_cast<float>(i) + 0.5f) / kSamples)) < radius ? 1 : 0;
+    EXPECT_NEAR(static_cast<double>(within) / kSamples, share_within(profile, radius), 2e-3) << radius;
+  }
+}
+
+// A higher albedo means more scattering events, and a wider profile at the same mean free path.
+TEST(DiffusionProfile, WidensWithTheAlbedo) {
+  EXPECT_GT(DiffusionProfile(1, 0.9f).largest_radius(), DiffusionProfile(1, 0.2f).largest_radius());
+  EXPECT_NEAR(DiffusionProfile(2, 0.5f).largest_radius() / DiffusionProfile(1, 0.5f).largest_radius(), 2, 1e-5);
+}
+
+}  // namespace
+}  // namespace etendue
