@@ -60,6 +60,7 @@ struct IntegratorInfo {
   char shortcut = 0;  // key that selects it in the viewer, '1' to '9'; 0: none
   TechniqueParameters techniques = {};
   bool scattering_media = false;  // renders participating media that scatter; scenes with such media need it
+  bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();

@@ -43,6 +43,7 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   has_alpha = m.alpha_mode != AlphaMode::opaque;
   absorbs_inside = m.is_solid() && ((std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1))) ||
                                     !m.medium.is_clear());
+  if (m.is_solid() && !m.unlit) inside = m.inside_index();
   if (m.model && !m.unlit)
     classify_model();
   else

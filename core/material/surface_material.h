@@ -55,6 +55,11 @@ struct SurfaceMaterial {
   bool is_emissive = false;     // emits, or is unlit
   bool absorbs_inside = false;  // a solid whose inside attenuates light
 
+  RefractiveIndex inside;  // of a solid
+
+  // Whether light of different wavelengths is refracted into different directions.
+  bool disperses() const { return inside.varies(); }
+
   // Base colour and alpha without texture and vertex colour. If the BSDF model is Lambert's, its albedo is multiplied
   // in.
   Vec4 base_factor{0};

@@ -15,21 +15,39 @@ class BlackImage final : public integrator::RenderState {
   }
 };
 
-std::string integrators_with_scattering_media() {
+// The integrators that have a feature, as a list for people.
+std::string integrators_with(bool integrator::IntegratorInfo::*feature) {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.scattering_media) names += (names.empty() ? "" : ", ") + info.name;
+    if (info.*feature) names += (names.empty() ? "" : ", ") + info.name;
   return names;
+}
+
+const transport::Decision& decision_about(const transport::Model& model, std::string_view flag) {
+  return *std::ranges::find_if(model.decisions, [&](const auto& decision) { return decision.flag == flag; });
+}
+
+// Why the integrator cannot render the scene with wavelengths; empty if it can.
+std::string spectral_refusal(const integrator::IntegratorInfo& info, const transport::Model& model) {
+  if (!info.spectral)
+    return "it does not support spectral rendering (" + decision_about(model, "colour").reason +
+           "), so the image will be black: use an integrator that does (" +
+           integrators_with(&integrator::IntegratorInfo::spectral) + "), or set render.color to rgb";
+  if (model.scattering)
+    return "spectral rendering (" + decision_about(model, "colour").reason + ") does not support scattering media (" +
+           decision_about(model, "media").reason + "), so the image will be black: set render.color to rgb";
+  return {};
 }
 
 // Why the integrator cannot render the scene; empty if it can.
 std::string refusal_of(const std::string& integrator, const transport::Model& model) {
-  if (!model.scattering || integrator::find_integrator(integrator)->scattering_media) return {};
-  for (const transport::Decision& decision : model.decisions)
-    if (decision.flag == "media")
-      return "it does not support scattering media (" + decision.reason +
-             "), so the image will be black: use an integrator that does (" + integrators_with_scattering_media() + ")";
-  return {};
+  const integrator::IntegratorInfo& info = *integrator::find_integrator(integrator);
+  if (model.spectral)
+    if (std::string reason = spectral_refusal(info, model); !reason.empty()) return reason;
+  if (!model.scattering || info.scattering_media) return {};
+  return "it does not support scattering media (" + decision_about(model, "media").reason +
+         "), so the image will be black: use an integrator that does (" +
+         integrators_with(&integrator::IntegratorInfo::scattering_media) + ")";
 }
 
 }  // namespace
@@ -45,7 +63,7 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
 PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene,
                                    int width, int height)
     : scene_(std::move(scene)),
-      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
+      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths, document.method.color)),
       sampler_(sampler_of(document)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),

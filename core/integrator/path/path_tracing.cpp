@@ -20,7 +20,7 @@ namespace etendue::integrator {
 
 class PathTracing final : public CameraPathIntegrator<PathTracing> {
  public:
-  static constexpr bool kScatteringMedia = true;
+  static constexpr bool kScatteringMedia = true, kSpectral = true;
 
   static IntegratorInfo info() {
     return {
@@ -38,6 +38,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
         .scattering_media = kScatteringMedia,
+        .spectral = kSpectral,
     };
   }
 

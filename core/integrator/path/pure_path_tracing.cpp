@@ -18,7 +18,7 @@ namespace etendue::integrator {
 
 class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
  public:
-  static constexpr bool kScatteringMedia = true;
+  static constexpr bool kScatteringMedia = true, kSpectral = true;
 
   static IntegratorInfo info() {
     return {
@@ -36,6 +36,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .accumulation = Accumulation::per_pixel,
         .shortcut = '3',
         .scattering_media = kScatteringMedia,
+        .spectral = kSpectral,
     };
   }
 

@@ -12,6 +12,7 @@
 #include "scene/builtin/glossy_plates.h"
 #include "scene/builtin/many_lights.h"
 #include "scene/builtin/milk.h"
+#include "scene/builtin/prism.h"
 #include "scene/builtin/spot_indirect.h"
 #include "scene/gltf/load_gltf.h"
 
@@ -19,8 +20,8 @@ namespace etendue::scene {
 
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
-      kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,      kMilk,
+      kCornell,  kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect,
+      kDoorAjar, kManyLights,     kFog,          kMilk,         kPrism,
   };
   return all;
 }

@@ -7,6 +7,7 @@
 #include "sampling/sampler.h"
 #include "transport/model_types.h"
 #include "transport/wavefront/medium_tracing.h"
+#include "transport/wavefront/path_color.h"
 
 namespace etendue::transport {
 
@@ -28,7 +29,10 @@ class PathMedia<M, true> {
   using Color = typename M::Color;
   using MediumStack = scene::MediumStack;
 
-  void begin(const scene::CompiledScene& scene) { scene_ = &scene; }
+  void begin(const scene::CompiledScene& scene, const PathColor<M>& color) {
+    scene_ = &scene;
+    color_ = &color;
+  }
 
   // The solids and the ray at the start of the current segment of a path.
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
@@ -66,7 +70,7 @@ class PathMedia<M, true> {
     MediumSegment segment;
     segment.hit = hit;
     transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment);
-    throughput *= segment.transmittance;
+    throughput *= color_->transmittance(path, segment.transmittance);
     traced += segment.rays;
     hit = segment.hit;
     if (hit) interface = segment.interface;
@@ -91,8 +95,8 @@ class PathMedia<M, true> {
     Ray ray = rays_[p];
     ray.tfar = distance;
     uint64_t rays = 0;
-    return unattenuated_[p] *
-           TracedConnections(*scene_).transmittance(false, ray, distance, seed, time, stacks_[p], rays);
+    return unattenuated_[p] * color_->transmittance(path, TracedConnections(*scene_).transmittance(
+                                                              false, ray, distance, seed, time, stacks_[p], rays));
   }
 
   // Stores a connection; `length` is the distance of its end, metres.
@@ -101,7 +105,7 @@ class PathMedia<M, true> {
     connections_[slot].length = length;
     connections_[slot].stack = stack;
   }
-  Color transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
+  Rgb transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
     return TracedConnections(*scene_).transmittance(blocked, c.ray, c.length, seed, time, c.stack, traced);
   }
@@ -116,6 +120,7 @@ class PathMedia<M, true> {
   using PerPath = std::array<T, SampleTable::kPaths>;
 
   const scene::CompiledScene* scene_ = nullptr;
+  const PathColor<M>* color_ = nullptr;
   // By path.
   PerPath<MediumStack> stacks_;
   PerPath<Ray> rays_;
