@@ -13,6 +13,9 @@ using Coefficients = std::array<double, 3>;
 
 double normalized(double wavelength) { return (wavelength - kFirstWavelength) / (kLastWavelength - kFirstWavelength); }
 
+constexpr float kSigmoidStart = static_cast<float>(kFirstWavelength),
+                kInverseSigmoidRange = static_cast<float>(1 / (kLastWavelength - kFirstWavelength));
+
 double sigmoid(double p) { return 0.5 + 0.5 * p / std::sqrt(1 + p * p); }
 double sigmoid_derivative(double p) { return 0.5 / ((1 + p * p) * std::sqrt(1 + p * p)); }
 
@@ -196,9 +199,14 @@ const UpliftTable& uplift_table() {
 
 bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }
 
-SampledSpectrum sampled(const SigmoidSpectrum& spectrum, const Wavelengths& wavelengths, float scale) {
+// A loop over the wavelengths that compilers vectorize.
+SampledSpectrum sampled(const SigmoidSpectrum& spectrum, const Wavelengths& wavelengths) {
   SampledSpectrum result;
-  for (int i = 0; i < SampledSpectrum::kSize; ++i) result[i] = scale * spectrum(wavelengths.nm[static_cast<size_t>(i)]);
+  for (size_t i = 0; i < result.values.size(); ++i) {
+    const float t = (wavelengths.nm[i] - kSigmoidStart) * kInverseSigmoidRange;
+    const float p = (spectrum.c0 * t + spectrum.c1) * t + spectrum.c2;
+    result.values[i] = 0.5f + 0.5f * p / std::sqrt(1 + p * p);
+  }
   return result;
 }
 
@@ -207,17 +215,15 @@ SampledSpectrum sampled(const SigmoidSpectrum& spectrum, const Wavelengths& wave
 SigmoidSpectrum SigmoidSpectrum::of(const Rgb& color) { return uplift_table().at(color); }
 
 float SigmoidSpectrum::operator()(float wavelength) const {
-  constexpr float kFirst = static_cast<float>(kFirstWavelength),
-                  kRange = static_cast<float>(kLastWavelength - kFirstWavelength);
-  const float t = (wavelength - kFirst) / kRange, p = (c0 * t + c1) * t + c2;
+  const float t = (wavelength - kSigmoidStart) * kInverseSigmoidRange, p = (c0 * t + c1) * t + c2;
   return 0.5f + 0.5f * p / std::sqrt(1 + p * p);
 }
 
 SampledSpectrum uplift_reflectance(const Rgb& color, const Wavelengths& wavelengths) {
-  const auto unit = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
+  const auto unit = [](float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; };  // NaN becomes 0
   const Rgb c(unit(color.r), unit(color.g), unit(color.b));
   if (is_grey(c)) return SampledSpectrum(c.r);
-  return sampled(SigmoidSpectrum::of(c), wavelengths, 1);
+  return sampled(uplift_table().at(c), wavelengths);
 }
 
 SampledSpectrum uplift_scaled(const Rgb& color, const Wavelengths& wavelengths) {

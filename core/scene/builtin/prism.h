@@ -8,13 +8,15 @@ namespace etendue::scene {
 namespace prism {
 
 // Metres. The cross section is an equilateral triangle.
-inline constexpr float kSide = 0.6f, kHeight = 0.7f, kSlitDistance = 1.8f;
-inline constexpr Vec3 kEye{0, 0.5f, 3};
+inline constexpr float kSide = 0.6f, kHeight = 0.7f, kSlitDistance = 1.4f;
 
 // Horizontal directions: of the ray inside the prism and towards its apex, for a ray from the camera at minimum
 // deviation, and the direction in which that ray leaves the prism.
 struct Directions {
   Vec3 inside, apex, leaving;
+
+  // The centres of the faces that light passes.
+  Vec3 entry, exit;
 
   // For an index of refraction: sin(incidence) = n sin(30 degrees), and the ray turns by incidence - 30 degrees.
   explicit Directions(float index) {
@@ -23,6 +25,8 @@ struct Directions {
     inside = Vec3(s, 0, -c);
     apex = Vec3(-c, 0, -s);
     leaving = c * inside - s * apex;
+    entry = 0.25f * (kSide / std::sqrt(3.0f) * apex - kSide * inside);
+    exit = entry + 0.5f * kSide * inside;
   }
 };
 
@@ -56,12 +60,12 @@ inline Scene prism_scene() {
   // A slit that faces the prism.
   constexpr float kWidth = 0.025f, kSlitHeight = 0.6f;
   const Vec3 across = kWidth * glm::normalize(glm::cross(Vec3(0, 1, 0), -to.leaving));
-  const Vec3 corner = prism::kSlitDistance * to.leaving - 0.5f * across + Vec3(0, 0.05f, 0);
+  const Vec3 corner = to.exit + prism::kSlitDistance * to.leaving - 0.5f * across + Vec3(0, 0.05f, 0);
   add(scene, "slit", rectangle(corner, across, {0, kSlitHeight, 0}), add_emitter(scene, "slit", Rgb(8)));
   add(scene, "fill light", rectangle({-0.6f, 2.5f, 0.2f}, {1.2f, 0, 0}, {0, 0, 1.2f}),
       add_emitter(scene, "fill light", Rgb(3)));
 
-  Camera camera = look_at(prism::kEye, {0.48f, 0.32f, 0}, {0, 1, 0}, 0.42f);
+  Camera camera = look_at(to.entry + Vec3(0, 0.5f, 3), to.entry + Vec3(0.7f, 0.32f, 0), {0, 1, 0}, 0.42f);
   camera.aspect = 16.0f / 9;
   add(scene, camera);
   return scene;

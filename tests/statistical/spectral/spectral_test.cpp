@@ -107,9 +107,8 @@ TEST(Spectral, PrismRefractsEachWavelengthBySnellsLaw) {
   const SellmeierFormula& flint = *find_sellmeier(Glass::n_sf11);
   const scene::prism::Directions to(static_cast<float>(flint.index_d()));
   // Towards the centre of the entry face.
-  const float radius = scene::prism::kSide / std::sqrt(3.0f);
   Ray ray;
-  ray.origin = 0.25f * (radius * to.apex - scene::prism::kSide * to.inside);
+  ray.origin = to.entry;
   ray.origin.y = 0.4f, ray.origin.z = 3;
   ray.direction = Vec3(0, 0, -1);
   for (int i = 0; i < kPaths; ++i) {
