@@ -16,6 +16,7 @@
   ENTRY(inspect)                \
   ENTRY(bsdf)                   \
   ENTRY(phase)                  \
+  ENTRY(spectrum)               \
   ENTRY(probe)                  \
   ENTRY(trace)                  \
   ENTRY(save)                   \

@@ -1,8 +1,11 @@
 // etendue list: the registries, with a description of every parameter.
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "base/number_text.h"
+#include "bsdf/fresnel/metal_spectra.h"
+#include "bsdf/fresnel/optical_constants.h"
 #include "command.h"
 #include "integrator/integrator.h"
 #include "json.h"
@@ -12,6 +15,8 @@
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
 #include "section_infos.h"
+#include "spectrum/refractive_index.h"
+#include "spectrum/spectrum.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
@@ -157,6 +162,44 @@ json densities_json() {
   return list;
 }
 
+// Values every 20 nm.
+json samples_json(const std::function<double(double)>& spectrum) {
+  constexpr double kStep = 20;
+  json samples = json::array();
+  for (double wavelength = kFirstWavelength; wavelength <= kLastWavelength; wavelength += kStep)
+    samples.push_back({wavelength, spectrum(wavelength)});
+  return samples;
+}
+
+// Illuminants, metals and glasses by wavelength in nm.
+json spectra_json() {
+  json list = json::array();
+  for (const Illuminant& illuminant : illuminants()) {
+    json j = entry_json(illuminant.name, illuminant.label, illuminant.source, {});
+    j["class"] = "illuminant";
+    j["power"] = samples_json(illuminant.make());
+    list.push_back(j);
+  }
+  for (const MetalSpectrum& metal : metal_spectra())
+    for (const ConductorConstants& constants : kConductors) {
+      if (std::string_view(constants.name) != metal.name) continue;
+      json j = entry_json(constants.name, constants.label, constants.source, {});
+      j["class"] = "metal";
+      j["eta"] = samples_json([&](double w) { return metal.eta(static_cast<float>(w)); });
+      j["kappa"] = samples_json([&](double w) { return metal.kappa(static_cast<float>(w)); });
+      list.push_back(j);
+    }
+  for (const SellmeierFormula& glass : sellmeier_formulas()) {
+    json j = entry_json(glass.name, glass.label, glass.source, {});
+    j["class"] = "glass";
+    j["eta"] = samples_json([&](double w) { return glass.index(w); });
+    j["eta_d"] = glass.index_d();
+    j["abbe"] = 20 / glass.dispersion();
+    list.push_back(j);
+  }
+  return list;
+}
+
 json scenes_json() {
   json list = json::array();
   for (const scene::Builtin& b : scene::builtins()) list.push_back(entry_json(b.name, b.label, b.doc, {}));
@@ -172,8 +215,7 @@ struct Registry {
 constexpr Registry kRegistries[] = {
     {"integrators", integrators_json}, {"samplers", samplers_json}, {"materials", materials_json},
     {"lights", lights_json},           {"media", media_json},       {"phase-functions", phase_functions_json},
-    {"densities", densities_json},
-    {"scenes", scenes_json},
+    {"densities", densities_json},     {"spectra", spectra_json},   {"scenes", scenes_json},
     {"widgets", widgets_json}};
 
 std::string registry_names() {
@@ -210,6 +252,9 @@ void print_entries(const json& list) {
       std::printf("  scattering %s, absorption %s 1/m; %s, mean cosine %s\n", e["scattering"].dump().c_str(),
                   e["absorption"].dump().c_str(), plain_text(e["phase_function"]).c_str(),
                   plain_text(e["mean_cosine"]).c_str());
+    if (e.contains("abbe"))
+      std::printf("  index of refraction %.5f at 587.56 nm, Abbe number %.2f\n", e["eta_d"].get<double>(),
+                  e["abbe"].get<double>());
     for (const auto& p : e["parameters"]) print_parameter(p);
   }
 }

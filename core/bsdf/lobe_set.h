@@ -88,6 +88,20 @@ class LobeSet {
     coatings_.add(count_, layer);
   }
 
+  // Replaces the lobes by convert(lobe) for each lobe of another set, and the coating layers by those of that set.
+  template <class Other, class Convert>
+  void assign(const Other& other, Convert&& convert) {
+    count_ = 0;
+    for (int i = 0; i < other.size(); ++i) add(other.visit(i, convert));
+    coatings_ = other.coatings();
+  }
+  const CoatingLayers& coatings() const { return coatings_; }
+  // Calls f with lobe i.
+  template <class F>
+  auto visit(int i, F&& f) const {
+    return visit_lobe(f, lobes_[static_cast<size_t>(i)]);
+  }
+
   // Replaces the index of refraction of every dielectric boundary, for a surface between two media. `eta` is the index
   // inside over the index outside, `outside_eta` the index outside.
   void set_relative_eta(float eta, float outside_eta) {
@@ -197,11 +211,6 @@ class LobeSet {
   }
 
  private:
-  template <class F>
-  auto visit(int i, F&& f) const {
-    return visit_lobe(f, lobes_[static_cast<size_t>(i)]);
-  }
-
   template <class F>
   Color sum(const Vec3& wo, const Vec3& wi, F&& of_lobe) const {
     Color f(0);

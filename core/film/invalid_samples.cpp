@@ -16,6 +16,16 @@ InvalidReason reason_of(const Rgb& c) {
 
 }  // namespace
 
+bool is_visible_color(const Rgb& c) {
+  constexpr float kRounding = 2e-3f;
+  if (!is_finite(c)) return false;
+  const float least = -kRounding * (std::abs(c.r) + std::abs(c.g) + std::abs(c.b));
+  // Linear Rec. 709 to XYZ [IEC 61966-2-1].
+  return 0.4124564f * c.r + 0.3575761f * c.g + 0.1804375f * c.b >= least &&
+         0.2126729f * c.r + 0.7151522f * c.g + 0.0721750f * c.b >= least &&
+         0.0193339f * c.r + 0.1191920f * c.g + 0.9503041f * c.b >= least;
+}
+
 std::string_view reason_name(InvalidReason reason) {
   switch (reason) {
     case InvalidReason::nan:

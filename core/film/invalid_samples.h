@@ -1,4 +1,4 @@
-// Invalid samples: values that are not a finite, non-negative radiance
+// Invalid samples: values that are not finite, or that no light has
 //
 // The film counts them by reason and records where the first ones occurred.
 #pragma once
@@ -13,10 +13,15 @@
 
 namespace etendue::film {
 
-// Whether all components are finite and not negative. Each comparison is false for NaN.
-constexpr bool is_radiance(const Rgb& c) {
+// Whether the components are finite, and X, Y and Z are not negative up to rounding. Colours outside the sRGB gamut, which
+// single wavelengths have, satisfy this with negative components.
+bool is_visible_color(const Rgb& c);
+
+// Whether a sample is valid. Each comparison is false for NaN.
+inline bool is_radiance(const Rgb& c) {
   constexpr float kMax = std::numeric_limits<float>::max();
-  return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMax && c.g <= kMax && c.b <= kMax;
+  const bool in_gamut = c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMax && c.g <= kMax && c.b <= kMax;
+  return in_gamut || is_visible_color(c);
 }
 
 enum class InvalidReason { nan, infinite, negative };

@@ -62,6 +62,7 @@ struct IntegratorInfo {
   bool scattering_media = false;  // renders participating media that scatter; scenes with such media need it
   bool heterogeneous_media = false;  // the same for media whose density varies and for media that emit light
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
+  bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();

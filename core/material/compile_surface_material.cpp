@@ -45,6 +45,7 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
                                     !m.medium.is_clear());
   if (m.model && !m.unlit) mean_free_path = m.model->mean_free_path();
   has_subsurface = !is_black(mean_free_path);
+  if (m.is_solid() && !m.unlit) inside = m.inside_index();
   if (m.model && !m.unlit)
     classify_model();
   else

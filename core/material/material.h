@@ -13,6 +13,7 @@
 #include "bsdf/lobes/layered_base.h"
 #include "material/texture.h"
 #include "medium/medium.h"
+#include "spectrum/refractive_index.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -45,7 +46,9 @@ struct Material {
   bool unlit = false;  // KHR_materials_unlit: shows the base colour independent of the light
 
   float ior = 1.5f;    // KHR_materials_ior; 0 means a Fresnel term of 1
-  float specular = 1;  // KHR_materials_specular
+  float dispersion = 0;       // KHR_materials_dispersion: 20 / Abbe number; only solids disperse light
+  Glass glass = Glass::none;  // ETENDUE_transport: index of refraction by wavelength, in place of `dispersion`
+  float specular = 1;         // KHR_materials_specular
   Rgb specular_color{1};
   TextureUse specular_texture;        // linear, A
   TextureUse specular_color_texture;  // sRGB
@@ -92,6 +95,14 @@ struct Material {
   bool is_solid() const {
     if (boundary_only) return true;
     return model ? model->is_solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
+  }
+  // The index of refraction inside a solid.
+  RefractiveIndex inside_index() const {
+    // Stands for an index of 0, which means a reflectance of one.
+    constexpr float kPerfectMirrorIor = 1e4f;
+    if (boundary_only) return {};
+    if (model) return {model->index_of_refraction(), dispersion, Glass::none};
+    return ior == 0 ? RefractiveIndex{kPerfectMirrorIor} : RefractiveIndex{ior, dispersion, glass};
   }
   bool is_emissive() const { return !is_black(emission); }
 

@@ -56,6 +56,11 @@ struct SurfaceMaterial {
   bool absorbs_inside = false;  // a solid whose inside attenuates light
   bool has_subsurface = false;  // light leaves the surface at other points than it arrives at
 
+  RefractiveIndex inside;  // of a solid
+
+  // Whether light of different wavelengths is refracted into different directions.
+  bool disperses() const { return inside.varies(); }
+
   // Base colour and alpha without texture and vertex colour. If the BSDF model is Lambert's, its albedo is multiplied
   // in.
   Vec4 base_factor{0};

@@ -19,6 +19,7 @@
 #include "image/display.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
+#include "transport/model.h"
 
 namespace etendue::render {
 
@@ -40,6 +41,7 @@ enum class Adaptive { off, rmse, relmse };
 struct MethodSettings {
   std::string integrator = "path", sampler = "sobol";
   Adaptive adaptive = Adaptive::off;
+  transport::ColorMode color = transport::ColorMode::automatic;
   std::string paths;  // path expression of the light paths that count (transport/path_expression); empty: all
   // Values of parameters by qualified name ("path.max-depth"), only those that differ from their defaults.
   std::vector<std::pair<std::string, Value>> settings;

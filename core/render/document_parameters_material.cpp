@@ -21,8 +21,8 @@ constexpr const char* kGltfModel = "gltf";
 
 // Whether a parameter of the glTF surface also applies to materials with a reflection model.
 bool applies_to_all_models(std::string_view name) {
-  constexpr std::array<std::string_view, 7> kPrefixes{"base-color.", "alpha",     "normal-scale", "double-sided",
-                                                      "unlit",       "emission.", "attenuation-"};
+  constexpr std::array<std::string_view, 8> kPrefixes{"base-color.", "alpha",     "normal-scale", "double-sided",
+                                                      "unlit",       "emission.", "attenuation-", "dispersion"};
   return std::ranges::any_of(kPrefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
@@ -122,7 +122,46 @@ class MaterialParameterList {
                });
   }
 
+  // Editing the index or the dispersion replaces the formula of a glass.
+  void add_refraction() {
+    const auto add_index = [&](const Number<float>& description, float Material::*member) {
+      list_.push_back(make_parameter(section_, description, [index = index_, member](Document& d, float v) {
+        edit_scene(d, [&](scene::Scene& s) {
+          s.materials[index].*member = v;
+          s.materials[index].glass = Glass::none;
+        });
+      }));
+    };
+    add_index({"ior",
+               "IOR",
+               std::min(material_.ior, 3.0f),
+               {1, 3},
+               "Index of refraction of the dielectric; higher reflects and refracts more"},
+              &Material::ior);
+    add_index({"dispersion",
+               "Dispersion",
+               std::min(material_.dispersion, 20.0f),
+               {0, 20},
+               "20 divided by the Abbe number. Raising it separates colours more when a solid refracts light; 0: the "
+               "same index for all wavelengths"},
+              &Material::dispersion);
+    list_.push_back(make_parameter(section_,
+                                   Choice<Glass>{"glass", "Glass", material_.glass,
+                                                 "Measured index of refraction by wavelength. Sets IOR and dispersion, "
+                                                 "which RGB rendering and other programs use"},
+                                   [index = index_](Document& d, Glass v) {
+                                     edit_scene(d, [&](scene::Scene& s) { set_glass(s.materials[index], v); });
+                                   }));
+  }
+
  private:
+  static void set_glass(Material& material, Glass glass) {
+    material.glass = glass;
+    const SellmeierFormula* formula = find_sellmeier(glass);
+    material.ior = formula ? static_cast<float>(formula->index_d()) : material.ior;
+    material.dispersion = formula ? static_cast<float>(formula->dispersion()) : material.dispersion;
+  }
+
   DocumentParameters& list_;
   const Material& material_;
   const std::string& section_;
@@ -136,8 +175,7 @@ void add_base(MaterialParameterList& parameters) {
                         "0: dielectric over a diffuse base; 1: metal");
   parameters.add_number("roughness", "Roughness", &Material::roughness, {0, 1},
                         "Higher widens highlights. The microfacet roughness α is its square");
-  parameters.add_number("ior", "IOR", &Material::ior, {1, 3},
-                        "Index of refraction of the dielectric; higher reflects and refracts more");
+  parameters.add_refraction();
   parameters.add_number("specular", "Specular", &Material::specular, {0, 1},
                         "Strength of the dielectric reflection; 0: purely diffuse surface");
   parameters.add_color({"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",

@@ -87,6 +87,13 @@ DocumentParameters render_parameters(const Document& document) {
   list.push_back(registry_choice("render.sampler", "Sampler", "Source of the sample points", sampler_infos(),
                                  method.sampler, &MethodSettings::sampler));
   list.push_back(adaptive_choice(method));
+  list.push_back(make_parameter(
+      "render",
+      Choice<transport::ColorMode>{"color", "Colour", method.color,
+                                   "RGB: three components. Spectral: four wavelengths per path, for dispersion and "
+                                   "colours that depend on spectra; slower. Automatic: spectral only if a material "
+                                   "disperses light"},
+      [](Document& d, transport::ColorMode v) { d.method.color = v; }));
   list.push_back(make_parameter("render",
                                 Number<int>{"seed",
                                             "Seed",

@@ -33,6 +33,7 @@ Document measurement(const Document& document, std::shared_ptr<const scene::Scen
   d.height = kPixels;
   d.filter = film::FilterKind::box;
   d.forced_flags = document.forced_flags;
+  d.method.color = document.method.color;
   d.seed = document.seed;
   return d;
 }

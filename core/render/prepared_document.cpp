@@ -15,6 +15,7 @@ class BlackImage final : public integrator::RenderState {
   }
 };
 
+// The integrators that have a feature, as a list for people.
 std::string integrators_with(bool integrator::IntegratorInfo::*feature) {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
@@ -22,19 +23,40 @@ std::string integrators_with(bool integrator::IntegratorInfo::*feature) {
   return names;
 }
 
+const transport::Decision& decision_about(const transport::Model& model, std::string_view flag) {
+  return *std::ranges::find_if(model.decisions, [&](const auto& decision) { return decision.flag == flag; });
+}
+
+// Why the integrator cannot render the scene with wavelengths; empty if it can.
+std::string spectral_refusal(const integrator::IntegratorInfo& info, const transport::Model& model,
+                             const scene::CompiledScene& scene) {
+  if (!info.spectral)
+    return "it does not support spectral rendering (" + decision_about(model, "colour").reason +
+           "), so the image will be black: use an integrator that does (" +
+           integrators_with(&integrator::IntegratorInfo::spectral) + "), or set render.color to rgb";
+  const std::string spectral = "spectral rendering (" + decision_about(model, "colour").reason + ") ";
+  if (model.scattering || model.heterogeneous)
+    return spectral + "does not support media that scatter or emit light (" + decision_about(model, "media").reason +
+           "), so the image will be black: set render.color to rgb";
+  if (scene.has_subsurface())
+    return spectral +
+           "does not support subsurface diffusion, which a material uses, so the image will be black: set "
+           "render.color to rgb";
+  return {};
+}
+
 // Why the integrator cannot render the scene; empty if it can.
 std::string refusal_of(const std::string& integrator, const transport::Model& model,
                        const scene::CompiledScene& scene) {
   if (const std::string& error = scene.solids().medium_error(); !error.empty())
     return error + "; the image will be black";
-  const auto unsupported = [&](const char* what, bool integrator::IntegratorInfo::*media) -> std::string {
-    for (const transport::Decision& decision : model.decisions)
-      if (decision.flag == "media")
-        return std::string("it does not support ") + what + " (" + decision.reason +
-               "), so the image will be black: use an integrator that does (" + integrators_with(media) + ")";
-    return {};
+  const auto unsupported = [&](const char* what, bool integrator::IntegratorInfo::*media) {
+    return std::string("it does not support ") + what + " (" + decision_about(model, "media").reason +
+           "), so the image will be black: use an integrator that does (" + integrators_with(media) + ")";
   };
   const integrator::IntegratorInfo& info = *integrator::find_integrator(integrator);
+  if (model.spectral)
+    if (std::string reason = spectral_refusal(info, model, scene); !reason.empty()) return reason;
   if (scene.has_subsurface() && !info.subsurface)
     return "it does not support subsurface diffusion, which a material uses, so the image will be black: use an "
            "integrator that does (" +
@@ -59,7 +81,7 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
 PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene,
                                    int width, int height)
     : scene_(std::move(scene)),
-      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
+      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths, document.method.color)),
       sampler_(sampler_of(document)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),

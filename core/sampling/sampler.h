@@ -30,9 +30,10 @@ constexpr DimensionSet dimensions(int first, int count) { return ((1U << count) 
 
 // Layout of block 0 of a camera path. The comments give the number of dimensions.
 namespace camera_dimension {
-inline constexpr int kPixel = 0;  // 2: position in the pixel filter
-inline constexpr int kLens = 2;   // 2
-inline constexpr int kTime = 4;   // 1
+inline constexpr int kPixel = 0;       // 2: position in the pixel filter
+inline constexpr int kLens = 2;        // 2
+inline constexpr int kTime = 4;        // 1
+inline constexpr int kWavelength = 5;  // 1: the hero wavelength; spectral models only
 }  // namespace camera_dimension
 
 // Layout of block 0 of a path that starts on a light.
@@ -51,7 +52,7 @@ inline constexpr int kLightPoint = 2;     // 2; in light paths the lens point fo
 inline constexpr int kLightChoice = 4;    // 1
 inline constexpr int kBsdfLobe = 5;       // 1
 inline constexpr int kRoulette = 6;       // 1
-inline constexpr int kFreeFlight = 7;     // 1: distance to a collision in a medium, on the segment that ends at the vertex
+inline constexpr int kFreeFlight = 7;  // 1: distance to a collision in a medium, on the segment that ends at the vertex
 }  // namespace vertex_dimension
 
 // One block of many paths: values[k][i] is dimension k of path i.

@@ -10,15 +10,6 @@
 namespace etendue::scene {
 namespace {
 
-// Stands for an index of 0, which means a reflectance of one.                                     [KHR_materials_ior]
-constexpr float kPerfectMirrorIor = 1e4f;
-
-float inner_index(const Material& m) {
-  if (m.boundary_only) return 1;
-  if (m.model) return m.model->index_of_refraction();
-  return m.ior == 0 ? kPerfectMirrorIor : m.ior;
-}
-
 bool is_solid(const InstanceData& instance, const SurfaceMaterial& material) {
   return !instance.round && material.description.is_solid() && !material.description.unlit;
 }
@@ -139,7 +130,7 @@ Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMa
 
 void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials) {
   const auto same_inside = [&](const Solid& a, const Solid& b) {
-    return a.eta == b.eta && a.attenuation_color == b.attenuation_color &&
+    return a.index == b.index && a.attenuation_color == b.attenuation_color &&
            a.attenuation_distance == b.attenuation_distance && a.has_surface == b.has_surface &&
            a.priority == b.priority &&
            materials[a.material].description.medium == materials[b.material].description.medium;
@@ -151,7 +142,8 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     if (!is_solid(instance, material)) continue;
     Solid inside;
     inside.node = instance.node, inside.material = instance.material;
-    inside.eta = inner_index(material.description);
+    inside.index = material.description.inside_index();
+    inside.eta = inside.index.index_d;
     inside.absorbs = material.absorbs_inside;
     inside.attenuation_color = material.description.attenuation_color;
     inside.attenuation_distance = material.description.attenuation_distance;

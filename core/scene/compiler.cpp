@@ -274,9 +274,10 @@ class Compiler {
       const Material &m = x.description, &n = y.description;
       return m.is_solid() == n.is_solid() &&
              (!m.is_solid() ||
-              (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
-               m.attenuation_color == n.attenuation_color && m.attenuation_distance == n.attenuation_distance &&
-               m.medium == n.medium && m.boundary_only == n.boundary_only && m.medium_priority == n.medium_priority &&
+              (m.model == n.model && m.ior == n.ior && m.dispersion == n.dispersion && m.glass == n.glass &&
+               m.unlit == n.unlit && m.alpha == n.alpha && m.attenuation_color == n.attenuation_color &&
+               m.attenuation_distance == n.attenuation_distance && m.medium == n.medium &&
+               m.boundary_only == n.boundary_only && m.medium_priority == n.medium_priority &&
                x.is_emissive == y.is_emissive && x.has_alpha == y.has_alpha &&
                bool{x.base_color} == bool{y.base_color}));
     });

@@ -31,7 +31,8 @@ struct InstanceData;
 struct Scene;
 
 struct Solid {
-  float eta = 1;  // index of refraction
+  float eta = 1;          // index of refraction
+  RefractiveIndex index;  // the same by wavelength
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;  // metres
   bool absorbs = false;

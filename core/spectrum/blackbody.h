@@ -11,6 +11,9 @@ namespace etendue {
 
 inline constexpr double kMinTemperature = 1000, kMaxTemperature = 40000;  // kelvin
 
+// The spectral radiance of a black body relative to that at 560 nm; wavelengths in nm.                   [Planck's law]
+double blackbody_at(double wavelength, double kelvin);
+
 // The colour with a largest component of one. `kelvin` must lie in the range above.
 Rgb blackbody_color(double kelvin);
 

@@ -35,6 +35,16 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
+// RGB or spectral, which is needed if the index of refraction of a visible material depends on the wavelength.
+Decision decide_color(const CompiledScene& scene, ColorMode mode) {
+  const auto* dispersive = find_used(scene, [](const auto& m) { return m.disperses(); });
+  Decision d{"colour", "RGB", "RGB", "no material disperses light"};
+  if (dispersive) d.needed = "spectral", d.reason = named(*dispersive) + " disperses light";
+  d.value = mode == ColorMode::automatic ? d.needed : mode == ColorMode::spectral ? "spectral" : "RGB";
+  if (d.value != d.needed) d.reason += dispersive ? "; RGB selected, dispersion ignored" : "; spectral selected";
+  return d;
+}
+
 // Only Lambertian lobes, the lobes of most glTF files, or all lobes.
 Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   const auto* shiny = find_used(scene, [](const auto& m) { return !m.is_lambertian; });
@@ -66,7 +76,8 @@ std::string reason_for_media(const CompiledScene& scene) {
     if (solids[i].may_overlap)
       return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
   for (uint32_t i = 0; i < solids.size(); ++i)
-    if (!solids[i].has_surface) return named(scene.materials()[solids[i].material]) + " is the boundary of a medium only";
+    if (!solids[i].has_surface)
+      return named(scene.materials()[solids[i].material]) + " is the boundary of a medium only";
   return "no solid absorbs or touches another one";
 }
 
@@ -108,14 +119,15 @@ std::string Model::summary() const {
   return text;
 }
 
-Model model_for(const CompiledScene& scene, std::span<const std::string> forced, std::string_view paths) {
+Model model_for(const CompiledScene& scene, std::span<const std::string> forced, std::string_view paths,
+                ColorMode color) {
   const auto is_forced = [&](const char* flag) {
     return std::find(forced.begin(), forced.end(), flag) != forced.end();
   };
   Model model;
   auto& out = model.decisions;
-  out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
-
+  out.push_back(decide_color(scene, color));
+  model.spectral = out[0].value == "spectral";
   out.push_back(decide_surfaces(scene, is_forced("surfaces")));
   out.push_back(decide_media(scene, is_forced("media")));
   const auto* clear = find_used(scene, [](const auto& m) { return m.has_alpha; });
@@ -135,11 +147,11 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
                        is_forced("classes")));
 
   model.moving = moves || is_forced("motion");
-  model.classes = filtered || is_forced("classes");
+  model.classes = filtered || model.spectral || is_forced("classes");
   if (model.classes)
     model.paths =
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
-  model.media = out[2].value != "vacuum";
+  model.media = model.spectral || out[2].value != "vacuum";
   model.scattering = scene.scatters();
   model.heterogeneous = scene.solids().any_heterogeneous() || scene.solids().any_medium_emits();
   model.diffuse = out[1].value == "diffuse" && !model.media;

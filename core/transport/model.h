@@ -11,11 +11,19 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parameter.h"
 #include "scene/forward.h"
 
 namespace etendue::transport {
 
 class PathExpression;
+
+// How colour is represented.
+enum class ColorMode : uint8_t {
+  rgb,        // three components
+  spectral,   // four wavelengths per path (spectrum/wavelengths.h)
+  automatic,  // spectral if a visible material disperses light, else RGB
+};
 
 struct Decision {
   std::string flag;    // "colour", "media", "surfaces", ...
@@ -25,6 +33,7 @@ struct Decision {
 };
 
 struct Model {
+  bool spectral = false;                        // paths carry wavelengths; implies `media` and `classes`
   bool diffuse = false;                         // every surface is Lambertian
   bool wide = false;                            // some surface has rarely used lobes
   bool media = false;                           // paths store the solids that contain them
@@ -45,6 +54,12 @@ std::vector<std::string> model_flags();
 // `forced` lists the flags that are on whatever the scene needs. `paths` is the expression that paths must match;
 // empty: all paths. It must be one that PathExpression::parse_paths accepts.
 Model model_for(const scene::CompiledScene& scene, std::span<const std::string> forced = {},
-                std::string_view paths = {});
+                std::string_view paths = {}, ColorMode color = ColorMode::automatic);
 
 }  // namespace etendue::transport
+
+template <>
+struct etendue::Options<etendue::transport::ColorMode> {
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"rgb", "RGB"}, {"spectral", "Spectral"}, {"auto", "Automatic (spectral if a material disperses light)"}}};
+};

@@ -2,6 +2,7 @@
 #pragma once
 #include "bsdf/all_lobes.h"
 #include "bsdf/lobe_set.h"
+#include "bsdf/spectral_lobes.h"
 #include "transport/model.h"
 
 namespace etendue::transport {
@@ -13,12 +14,13 @@ enum class MediaType : uint8_t {
   scattering,  // these media and the atmosphere also scatter, at vertices in volumes
 };
 
-// Colour: Rgb; the parameter is reserved for spectral samples. Surfaces: DiffuseOnly, StandardLobes for most glTF
+// Colour: Rgb, or SampledSpectrum for spectral rendering. Surfaces: DiffuseOnly, StandardLobes for most glTF
 // files, or AllLobes. Classes: all paths, or those of a path expression (path_expression/class_shares.h).
 template <class ColorType, template <class> class LobeSet, MediaType media, bool classes>
 struct ModelType {
   using Color = ColorType;
   using Lobes = LobeSet<ColorType>;
+  static constexpr bool kSpectral = std::is_same_v<Color, SampledSpectrum>;
   static constexpr bool kDiffuse = std::is_same_v<Lobes, DiffuseOnly<Color>>;
   static constexpr bool kMedia = media != MediaType::vacuum;
   static constexpr bool kScattering = media == MediaType::scattering;
@@ -39,6 +41,9 @@ using AnyMedia = ModelType<Rgb, AllLobes, MediaType::solids, classes>;
 // Used by all scenes with scattering media, by integrators that support them.
 template <bool classes>
 using ScatteringMedia = ModelType<Rgb, AllLobes, MediaType::scattering, classes>;
+
+// Used by all spectral rendering, by integrators that support it. Without an expression, the path classes are all paths.
+using Spectral = ModelType<SampledSpectrum, AllLobes, MediaType::solids, true>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
@@ -63,6 +68,13 @@ decltype(auto) with_scattering_model(const Model& model, F&& f) {
   if (!model.scattering) return with_model(model, f);
   if (model.classes) return f(ScatteringMedia<true>{});
   return f(ScatteringMedia<false>{});
+}
+
+// The same for integrators that also support spectral rendering, of scenes without scattering media.
+template <class F>
+decltype(auto) with_spectral_model(const Model& model, F&& f) {
+  if (model.spectral) return f(Spectral{});
+  return with_scattering_model(model, f);
 }
 
 }  // namespace etendue::transport

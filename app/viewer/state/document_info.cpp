@@ -9,7 +9,7 @@ namespace etendue::viewer {
 
 bool same_view(const render::Document& a, const render::Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
-         a.filter == b.filter && a.forced_flags == b.forced_flags;
+         a.filter == b.filter && a.forced_flags == b.forced_flags && a.method.color == b.method.color;
 }
 
 std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name) {

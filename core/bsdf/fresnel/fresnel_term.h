@@ -72,19 +72,7 @@ struct FresnelTerm {
     return f;
   }
 
-  // The mean over the hemisphere, weighted by the cosine. Gauss-Legendre quadrature in the cosine; error below 1e-6.
-  Color mean() const {
-    static constexpr std::array<std::pair<float, float>, 5> kGauss{{{0.0130467357f, 0.0333356722f},
-                                                                    {0.0674683167f, 0.0747256746f},
-                                                                    {0.1602952159f, 0.1095431813f},
-                                                                    {0.2833023029f, 0.1346333597f},
-                                                                    {0.4255628305f, 0.1477621124f}}};
-    Color sum(0);
-    for (const auto& [x, weight] : kGauss) sum += ((*this)(x)*x + (*this)(1 - x) * (1 - x)) * (2 * weight);
-    return sum;
-  }
-
- private:
+  // The term of one colour component with index n + i k; `kind` is not `one`.
   float component(float cosine, float n, float k) const {
     float refracted;
     switch (kind) {
@@ -98,6 +86,18 @@ struct FresnelTerm {
         return fresnel_schlick(cosine, n, k);
     }
   }
+
+  // The mean over the hemisphere, weighted by the cosine. Gauss-Legendre quadrature in the cosine; error below 1e-6.
+  Color mean() const {
+    static constexpr std::array<std::pair<float, float>, 5> kGauss{{{0.0130467357f, 0.0333356722f},
+                                                                    {0.0674683167f, 0.0747256746f},
+                                                                    {0.1602952159f, 0.1095431813f},
+                                                                    {0.2833023029f, 0.1346333597f},
+                                                                    {0.4255628305f, 0.1477621124f}}};
+    Color sum(0);
+    for (const auto& [x, weight] : kGauss) sum += ((*this)(x)*x + (*this)(1 - x) * (1 - x)) * (2 * weight);
+    return sum;
+  }
 };
 
 // The parameters of a model with a selectable Fresnel term. The default is measured gold (optical_constants.h).
@@ -106,12 +106,12 @@ struct FresnelParameters {
                            "Fresnel term of the microfacets: exact, approximate, or 1 (perfect mirror)"};
   Triple eta{"eta",
              "IOR \u03b7",
-             Vec3(0.10475f, 0.49154f, 1.47733f),
+             Vec3(0.01000f, 0.49770f, 1.47453f),
              {0.01f, 10},
              "Index of refraction relative to vacuum, real part"};
   Triple kappa{"kappa",
                "Extinction \u03ba",
-               Vec3(3.51907f, 2.32971f, 1.81014f),
+               Vec3(5.00000f, 2.25729f, 1.77625f),
                {0, 20},
                "Imaginary part of the index of refraction; 0 for dielectrics"};
 

@@ -18,14 +18,14 @@ struct ThinFilm {
 };
 
 // The Fresnel term of a mixture of a dielectric and a metal under a film. The term is interpolated between Schlick's
-// approximation (strength 0) and the film (strength 1).
-template <class Color>
+// approximation (strength 0) and the film (strength 1). `Film` is ThinFilm or SpectralThinFilm (spectral_thin_film.h).
+template <class Color, class Film = ThinFilm>
 struct FilmFresnel {
   Color dielectric_f0{0.04f};
   float dielectric_f90 = 1;
   Color metal_f0{1};
   float dielectric = 1, metal = 0;  // weights of the mixture
-  ThinFilm film;
+  Film film;
   float strength = 0;
 
   Color dielectric_reflectance(float cosine) const { return filmed(cosine, dielectric_f0, Color(dielectric_f90)); }

@@ -22,7 +22,7 @@ namespace etendue::integrator {
 
 class PathTracing final : public CameraPathIntegrator<PathTracing> {
  public:
-  static constexpr bool kScatteringMedia = true;
+  static constexpr bool kScatteringMedia = true, kSpectral = true;
 
   static IntegratorInfo info() {
     return {
@@ -42,6 +42,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
         .subsurface = true,
+        .spectral = kSpectral,
     };
   }
 

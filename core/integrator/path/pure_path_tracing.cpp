@@ -19,7 +19,7 @@ namespace etendue::integrator {
 
 class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
  public:
-  static constexpr bool kScatteringMedia = true;
+  static constexpr bool kScatteringMedia = true, kSpectral = true;
 
   static IntegratorInfo info() {
     return {
@@ -39,6 +39,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
         .subsurface = true,
+        .spectral = kSpectral,
     };
   }
 

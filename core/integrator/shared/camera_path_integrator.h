@@ -2,7 +2,8 @@
 //
 // Derived is an IntegratorBase that also offers `template <class M> void estimate(transport::PathWavefront<M>&) const`,
 // which traces the paths and adds their contributions to their radiance. If `estimate` is correct at vertices in
-// scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its IntegratorInfo.
+// scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its IntegratorInfo; likewise
+// `kSpectral` if it supports spectral rendering besides.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/camera_paths.h"
@@ -47,7 +48,9 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         if (task_context.recorder) task_context.recorder->collect(paths.size());
         return collect(paths, order, radiance);
       };
-      if constexpr (requires { Derived::kScatteringMedia; })
+      if constexpr (requires { Derived::kSpectral; })
+        return transport::with_spectral_model(*context_.model, render);
+      else if constexpr (requires { Derived::kScatteringMedia; })
         return transport::with_scattering_model(*context_.model, render);
       else
         return transport::with_model(*context_.model, render);

@@ -61,7 +61,11 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   const bool draws_time = context.samples_time() && !given_times;
   SampleTable& random = paths.draw_start(dimensions(camera_dimension::kPixel, 2) |
                                          (context.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
-                                         (draws_time ? dimensions(camera_dimension::kTime, 1) : 0));
+                                         (draws_time ? dimensions(camera_dimension::kTime, 1) : 0) |
+                                         (M::kSpectral ? dimensions(camera_dimension::kWavelength, 1) : 0));
+  if constexpr (M::kSpectral)
+    for (int i = 0; i < order.size(); ++i)
+      paths.color().start(i, random.values[camera_dimension::kWavelength][static_cast<size_t>(i)]);
   auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
   const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
   const float* times = draws_time ? random.values[camera_dimension::kTime].data() : given_times;
@@ -96,7 +100,7 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
 template <class M>
 std::optional<uint64_t> collect(transport::PathWavefront<M>& paths, const PixelOrder& order, std::span<Rgb> radiance) {
   if (paths.cancelled()) return {};
-  for (int i = 0; i < paths.size(); ++i) radiance[order.index(i)] = paths.state(i).radiance;
+  for (int i = 0; i < paths.size(); ++i) radiance[order.index(i)] = paths.color().to_rgb(i, paths.state(i).radiance);
   return paths.rays_traced();
 }
 

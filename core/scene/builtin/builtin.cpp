@@ -15,6 +15,7 @@
 #include "scene/builtin/god_rays.h"
 #include "scene/builtin/many_lights.h"
 #include "scene/builtin/milk.h"
+#include "scene/builtin/prism.h"
 #include "scene/builtin/spot_indirect.h"
 #include "scene/gltf/load_gltf.h"
 
@@ -23,7 +24,7 @@ namespace etendue::scene {
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
       kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,     kMilk,           kGodRays,      kCloud,        kFire,
+      kFog,     kMilk,           kGodRays,      kCloud,        kFire,        kPrism,
   };
   return all;
 }

@@ -20,27 +20,29 @@ using Combination = std::optional<MisHeuristic>;
 template <class M>
 [[gnu::cold, gnu::noinline]] void record_emission(PathWavefront<M>& paths, int path, Rgb radiance, float weight,
                                                   typename M::Color contribution) {
-  paths.recorder()->add_emission(path, {radiance, weight, contribution});
+  paths.recorder()->add_emission(path, {radiance, weight, paths.color().to_rgb(path, contribution)});
 }
 // `weight` is the MIS weight over the density of the sample. A sample that can be shadowed is the last connection.
 template <class M>
 [[gnu::cold, gnu::noinline]] void record_light(PathWavefront<M>& paths, int hit, const LightSample& light, float weight,
                                                typename Bsdf<M>::Value scattered, typename M::Color unoccluded,
                                                bool can_be_shadowed) {
-  paths.recorder()->add_light(paths.path_at(hit),
+  const int path = paths.path_at(hit);
+  paths.recorder()->add_light(path,
                               {.sample = light,
                                .radiance = paths.scene().radiance_of(light),
-                               .f_cos = scattered.f_cos,
+                               .f_cos = paths.color().to_rgb(path, scattered.f_cos),
                                .bsdf_pdf = scattered.pdf,
                                .mis_weight = weight * light.pdf,
-                               .unoccluded = unoccluded},
+                               .unoccluded = paths.color().to_rgb(path, unoccluded)},
                               can_be_shadowed ? paths.last_connection() : -1);
 }
 template <class M>
 [[gnu::cold, gnu::noinline]] void record_sample(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color> s,
                                                 PathEnd end) {
   const int path = paths.path_at(hit);
-  paths.recorder()->scatter(path, s);
+  paths.recorder()->scatter(
+      path, {s.wi, paths.color().to_rgb(path, s.weight), s.pdf_solid_angle, s.eta, s.type, s.delta, s.transmitted});
   paths.recorder()->end(path, end);
 }
 // Why the last BSDF sample of a hit does not continue its path.
@@ -50,7 +52,8 @@ template <class M>
 }
 template <class M>
 [[gnu::cold, gnu::noinline]] void record_throughput(PathWavefront<M>& paths, int hit, typename M::Color throughput) {
-  paths.recorder()->set_throughput(paths.path_at(hit), throughput);
+  const int path = paths.path_at(hit);
+  paths.recorder()->set_throughput(path, paths.color().to_rgb(path, throughput));
 }
 template <class M>
 [[gnu::cold, gnu::noinline]] void record_roulette(PathWavefront<M>& paths, int path, float survival, float random) {
@@ -99,7 +102,8 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const Rgb emitted = scene.emitted(point, paths.wo(i));
     if (is_black(emitted)) continue;
     const float weight = weigh(i);
-    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) * emitted * weight;
+    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) *
+                              paths.color().emission(paths.path_at(i), emitted) * weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_at(i), emitted, weight, contribution);
@@ -126,7 +130,8 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const Vec3& direction = paths.miss_direction(i);
     const Rgb radiance = map.radiance(direction);
     const float weight = weigh(i);
-    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) * radiance * weight;
+    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) *
+                              paths.color().emission(paths.path_of_miss(i), radiance) * weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);
@@ -176,7 +181,8 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
     if (can_be_shadowed) paths.set_connection_weight(connection_weight);
-    const auto unoccluded = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
+    const auto unoccluded =
+        path.throughput * scattered.f_cos * paths.color().emission(paths.path_at(i), scene.radiance_of(light)) * weight;
     contribution += unoccluded;
     if (recording) [[unlikely]]
       record_light(paths, i, light, weight, scattered, unoccluded, can_be_shadowed);

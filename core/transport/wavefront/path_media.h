@@ -8,6 +8,7 @@
 #include "transport/mis/mis.h"
 #include "transport/model_types.h"
 #include "transport/wavefront/medium_tracing.h"
+#include "transport/wavefront/path_color.h"
 
 namespace etendue::transport {
 
@@ -29,7 +30,10 @@ class PathMedia<M, true> {
   using Color = typename M::Color;
   using MediumStack = scene::MediumStack;
 
-  void begin(const scene::CompiledScene& scene) { scene_ = &scene; }
+  void begin(const scene::CompiledScene& scene, const PathColor<M>& color) {
+    scene_ = &scene;
+    color_ = &color;
+  }
 
   // The solids and the ray at the start of the current segment of a path.
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
@@ -79,7 +83,7 @@ class PathMedia<M, true> {
     MediumSegment segment;
     segment.hit = hit;
     transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment);
-    throughput *= segment.transmittance;
+    throughput *= color_->transmittance(path, segment.transmittance);
     traced += segment.rays;
     hit = segment.hit;
     if (hit) interface = segment.interface;
@@ -125,7 +129,7 @@ class PathMedia<M, true> {
   // Sets the MIS weight of a connection, without its factor.
   void set_weight(size_t slot, const ConnectionWeight& weight) { connections_[slot].weight = weight; }
   // The transmittance of a connection times its MIS weight.
-  Color transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
+  Rgb transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
     const Passage passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced);
     if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
@@ -144,6 +148,7 @@ class PathMedia<M, true> {
   using PerPath = std::array<T, SampleTable::kPaths>;
 
   const scene::CompiledScene* scene_ = nullptr;
+  const PathColor<M>* color_ = nullptr;
   // By path.
   PerPath<MediumStack> stacks_;
   PerPath<Ray> rays_;

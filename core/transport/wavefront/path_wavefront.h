@@ -14,6 +14,7 @@
 #include "transport/mis/mis.h"
 #include "transport/path_expression/class_shares.h"
 #include "transport/surface_bsdf.h"
+#include "transport/wavefront/path_color.h"
 #include "transport/wavefront/path_media.h"
 #include "transport/wavefront/path_recorder.h"
 
@@ -41,9 +42,9 @@ struct alignas(64) PathState {
   }
 };
 
-// Path classes and media are stored separately, and only in models that have them.
+// Path classes, media and wavelengths are stored separately, and only in models that have them.
 static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>> &&
-              std::is_empty_v<PathMedia<StandardVacuum<false>>>);
+              std::is_empty_v<PathMedia<StandardVacuum<false>>> && std::is_empty_v<PathColor<StandardVacuum<false>>>);
 
 template <class M>
 class PathWavefront {
@@ -66,7 +67,7 @@ class PathWavefront {
     rays_traced_ = 0;
     seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_mask();
     coherent_ = false;
-    if constexpr (M::kMedia) media_.begin(scene);
+    if constexpr (M::kMedia) media_.begin(scene, color_);
   }
   // The first segments of neighbouring paths are coherent: they may be traced as one packet.
   void assume_coherent() { coherent_ = true; }
@@ -192,6 +193,8 @@ class PathWavefront {
 
   // The shares of the paths that belong to the selected path classes; empty in a model without classes.
   ClassShares<M>& shares() { return shares_; }
+  // Conversions between RGB and the colours of the paths.
+  PathColor<M>& color() { return color_; }
 
   // One light sample per current hit, by a strategy that selects a single light.
   std::span<const LightSample> sample_lights(LightStrategy strategy) {
@@ -251,7 +254,7 @@ class PathWavefront {
     const auto p = static_cast<size_t>(path);
     if constexpr (M::kMedia) {
       const Passage passage = media_.passage_to(path, distance, segment_seed(path), states_[p].time);
-      return {media_.unattenuated(path) * passage.transmittance, passage.survival};
+      return {media_.unattenuated(path) * color_.transmittance(path, passage.transmittance), passage.survival};
     } else {
       return {states_[p].throughput, 1};
     }
@@ -279,9 +282,7 @@ class PathWavefront {
   }
   // The same for a segment from a point in a scattering medium, in these solids.
   Color& connect_from(int path, const Vec3& origin, const scene::MediumStack& medium, const Vec3& direction,
-                      float distance)
-    requires(M::kScattering)
-  {
+                      float distance) requires(M::kScattering) {
     const auto slot = static_cast<size_t>(connections_++);
     Ray ray;
     scene::SurfacePoint start;
@@ -417,6 +418,7 @@ class PathWavefront {
   Packets connecting_;
   // Per active path or connection.
   PerPath<uint32_t> lane_seeds_;
+  [[no_unique_address]] PathColor<M> color_;
   [[no_unique_address]] ClassShares<M> shares_;
   [[no_unique_address]] PathMedia<M> media_;
 };
@@ -469,10 +471,9 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   if constexpr (M::kScattering) {
     const Color before = path_state.throughput;
     Color emitted(0);
-    const bool has_vertex =
-        media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
-                              random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, emitted,
-                              rays_traced_);
+    const bool has_vertex = media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
+                                                  random(vertex_dimension::kFreeFlight, ray), hit,
+                                                  path_state.throughput, emitted, rays_traced_);
     if (!is_black(emitted)) add_medium_emission(path, before, emitted);
     return has_vertex;
   }
@@ -538,6 +539,10 @@ void PathWavefront<M>::shade() {
         bsdfs_[i].set_volume(*media_.collision(visited_ + static_cast<int>(i)).phase);
       else
         build_bsdf<M>(points_[i], bsdfs_[i]);
+    } else if constexpr (M::kSpectral) {
+      const int number = reached_by_[first + i];
+      if (disperses(points_[i])) color_.end_secondary(number, path.throughput);
+      build_bsdf<M>(points_[i], color_.wavelengths(number), bsdfs_[i]);
     } else {
       build_bsdf<M>(points_[i], bsdfs_[i]);
     }
@@ -555,15 +560,16 @@ void PathWavefront<M>::resolve_connections() {
     PathState<Color>& path = state(connected_[slot]);
     if constexpr (M::kMedia) {
       const uint32_t seed = connection_seed(connected_[slot]);
-      const Color transmittance = media_.transmittance(slot, blocked, seed, path.time, rays_traced_);
+      const Color transmittance =
+          color_.transmittance(connected_[slot], media_.transmittance(slot, blocked, seed, path.time, rays_traced_));
       const Color contribution = contributions_[slot] * transmittance;
       if (!is_black(transmittance)) path.radiance += contribution;
       if (recorder_) [[unlikely]]
-        recorder_->resolve(i, is_black(transmittance), contribution);
+        recorder_->resolve(i, is_black(transmittance), color_.to_rgb(connected_[slot], contribution));
     } else {
       if (!blocked) path.radiance += contributions_[slot];
       if (recorder_) [[unlikely]]
-        recorder_->resolve(i, blocked, blocked ? Color(0) : contributions_[slot]);
+        recorder_->resolve(i, blocked, blocked ? Rgb(0) : color_.to_rgb(connected_[slot], contributions_[slot]));
     }
   }
   connections_ = 0;
@@ -574,7 +580,7 @@ void PathWavefront<M>::record_hits() {
   for (int i = 0; i < hit_count_; ++i) {
     const int path = path_at(i);
     if (!recorder_->records(path)) continue;
-    recorder_->arrive(path, depth_, point(i), wo(i), state(path).throughput);
+    recorder_->arrive(path, depth_, point(i), wo(i), color_.to_rgb(path, state(path).throughput));
     bool has_delta = false;
     if constexpr (!M::kDiffuse) has_delta = bsdf(i).deltas(wo(i)).count > 0;
     recorder_->set_lobes(path, bsdf(i).has_component(ScatterType::diffuse), bsdf(i).has_component(ScatterType::glossy),
@@ -585,7 +591,8 @@ void PathWavefront<M>::record_hits() {
 template <class M>
 void PathWavefront<M>::record_misses() {
   for (int i = 0; i < miss_count_; ++i)
-    recorder_->escape(path_of_miss(i), depth_, miss_direction(i), missed_path(i).throughput);
+    recorder_->escape(path_of_miss(i), depth_, miss_direction(i),
+                      color_.to_rgb(path_of_miss(i), missed_path(i).throughput));
 }
 
 template <class M>

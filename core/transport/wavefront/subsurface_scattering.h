@@ -140,9 +140,12 @@ template <class M>
   paths.select_rng_stream(0);
 }
 
+// In models with wavelengths, scenes with diffusion are refused.
 template <class M>
-void scatter_below_surface(PathWavefront<M>& paths) {
-  if (paths.scene().has_subsurface()) [[unlikely]]
+void scatter_below_surface([[maybe_unused]] PathWavefront<M>& paths) {
+  if constexpr (M::kSpectral)
+    return;
+  else if (paths.scene().has_subsurface()) [[unlikely]]
     move_to_entry_points(paths);
 }
 

@@ -117,6 +117,8 @@ Material rich_material() {
   m.sheen_roughness = number();
   m.sheen_color_texture = use(1);
   m.sheen_roughness_texture = use(0);
+  m.dispersion = 5 * number();
+  m.glass = Glass::diamond;
   m.iridescence = number();
   m.iridescence_ior = 1 + number();
   m.iridescence_thickness_min = 1000 * number();

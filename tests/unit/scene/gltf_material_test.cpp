@@ -182,6 +182,13 @@ TEST_F(Materials, Iridescence) {
   expect_moved(m.iridescence_thickness_texture, 1);
 }
 
+TEST_F(Materials, Dispersion) {
+  const Material m = extended("KHR_materials_dispersion", {{"dispersion", 0.75}});
+  EXPECT_EQ(m.dispersion, 0.75f);
+  EXPECT_EQ(m.glass, Glass::none);
+  EXPECT_EQ(extended("ETENDUE_transport", {{"glass", "n-bk7"}}).glass, Glass::n_bk7);
+}
+
 TEST_F(Materials, DiffuseTransmission) {
   const Material m =
       extended("KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5},
@@ -224,6 +231,8 @@ TEST_F(Materials, ValuesOutOfRangeAreRepairedWithAWarning) {
                      {{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}, {"clearcoatRoughnessFactor", -1}}},
                       {"KHR_materials_sheen", {{"sheenColorFactor", {0, 1.5, 0}}}},
                       {"KHR_materials_iridescence", {{"iridescenceIor", 0.5}, {"iridescenceThicknessMinimum", -7}}},
+                      {"KHR_materials_dispersion", {{"dispersion", -1}}},
+                      {"ETENDUE_transport", {{"glass", "sugar"}}},
                       {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 3}}}}}});
   const auto scene = opened(gltf);
   const Material& m = scene.materials[0];
@@ -233,11 +242,14 @@ TEST_F(Materials, ValuesOutOfRangeAreRepairedWithAWarning) {
   EXPECT_EQ(m.iridescence_ior, 1);
   EXPECT_EQ(m.iridescence_thickness_min, 0);
   EXPECT_EQ(m.diffuse_transmission, 1);
+  EXPECT_EQ(m.dispersion, 0);
+  EXPECT_EQ(m.glass, Glass::none);
   for (const char* text : {"materials[0]: clearcoatFactor is 2; it has to be between 0 and 1; 1 is used",
                            "materials[0]: clearcoatRoughnessFactor is -1;", "materials[0]: sheenColorFactor[1] is 1.5;",
                            "materials[0]: iridescenceIor is 0.5; it has to be at least 1; 1 is used",
                            "materials[0]: iridescenceThicknessMinimum is -7; it has to be at least 0",
-                           "materials[0]: diffuseTransmissionFactor is 3;"})
+                           "materials[0]: dispersion is -1; it has to be between 0 and 100; 0 is used",
+                           "glass: 'sugar' is not an allowed value", "materials[0]: diffuseTransmissionFactor is 3;"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
 }
 

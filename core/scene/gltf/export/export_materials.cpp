@@ -18,6 +18,7 @@ class MaterialExporter {
     if (m_.unlit) out_.extend(to_, "KHR_materials_unlit");
     export_bsdf_model(out_, m_.model, to_);
     export_layering(out_, m_.layering, to_);
+    export_glass(out_, m_.glass, to_);
     export_medium(out_, m_, to_);
     return std::move(to_);
   }
@@ -78,7 +79,8 @@ class MaterialExporter {
   }
 
   void specular() {
-    Json specular = Json::object(), ior = Json::object(), anisotropy = Json::object();
+    Json specular = Json::object(), ior = Json::object(), dispersion = Json::object(),
+         anisotropy = Json::object();
     if (m_.specular_glossiness) {
       Json& e = out_.extend(to_, "KHR_materials_pbrSpecularGlossiness");
       if (const Vec4 diffuse = with_alpha(); diffuse != Vec4(1)) e["diffuseFactor"] = vector(diffuse);
@@ -95,6 +97,8 @@ class MaterialExporter {
     extend("KHR_materials_specular", specular);
     put(ior, "ior", m_.ior, 1.5f);
     extend("KHR_materials_ior", ior);
+    put(dispersion, "dispersion", m_.dispersion, 0);
+    extend("KHR_materials_dispersion", dispersion);
     put(anisotropy, "anisotropyStrength", m_.anisotropy, 0);
     put(anisotropy, "anisotropyRotation", m_.anisotropy_rotation, 0);
     put_texture(anisotropy, "anisotropyTexture", m_.anisotropy_texture);

@@ -109,6 +109,10 @@ void export_layering(OutputFile& out, Layering layering, Json& object) {
   if (layering == Layering::energy_conserving) out.extend(object, kTransport)["layering"] = kEnergyConserving;
 }
 
+void export_glass(OutputFile& out, Glass glass, Json& object) {
+  if (const SellmeierFormula* formula = find_sellmeier(glass)) out.extend(object, kTransport)["glass"] = formula->name;
+}
+
 // Writes the type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
 void export_light_extension(OutputFile& out, const Light& light, const std::filesystem::path& folder, Json& object) {
   const LightTypeInfo& type = light.info();

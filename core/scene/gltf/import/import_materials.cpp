@@ -36,6 +36,9 @@ std::string shortest(float x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
+// Corresponds to an Abbe number of 0.2; no known medium is near it.
+constexpr float kLargestDispersion = 100;
+
 class MaterialImporter {
  public:
   MaterialImporter(const InputFile& input, const tinygltf::Material& from, Scene& scene, std::string where)
@@ -163,6 +166,9 @@ class MaterialImporter {
         to_.ior = 1;
       }
     }
+    if (const auto* e = find_extension(from_.extensions, "KHR_materials_dispersion"))
+      to_.dispersion = limited(number_or(*e, "dispersion", 0), 0, kLargestDispersion, "dispersion");
+    to_.glass = import_glass(from_.extensions, where_, scene_.warnings);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_specular")) specular(*e);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_transmission")) {
       to_.transmission = factor_in(*e, "transmissionFactor", 0);

@@ -184,6 +184,18 @@ Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::st
   return Layering::gltf;
 }
 
+Glass import_glass(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, kTransport);
+  if (!extension || !extension->Has("glass")) return Glass::none;
+  TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
+  const std::string name = reader.text("glass");
+  for (const SellmeierFormula& formula : sellmeier_formulas())
+    if (name == formula.name) return formula.glass;
+  reader.warn("glass: '" + name.substr(0, 40) + "' is not an allowed value; ior and dispersion are used");
+  return Glass::none;
+}
+
 std::string member_name(std::string_view parameter) {
   std::string name;
   for (const char c : parameter) {

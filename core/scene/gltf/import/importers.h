@@ -43,6 +43,9 @@ Atmosphere import_atmosphere(const InputFile& input, const tinygltf::Value& exte
 // ETENDUE_transport of a material: its reflection model; null if it has none or the name is unknown.
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,
                                std::vector<std::string>& warnings);
+// ETENDUE_transport of a material: the glass whose index of refraction it has.
+Glass import_glass(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   std::vector<std::string>& warnings);
 Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
                          std::vector<std::string>& warnings);
 // ETENDUE_transport of a light: properties that KHR_lights_punctual does not have.

@@ -114,6 +114,7 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_texture_transform",
                                                 "KHR_materials_unlit",
                                                 "KHR_materials_ior",
+                                                "KHR_materials_dispersion",
                                                 "KHR_mesh_quantization",
                                                 "KHR_materials_transmission",
                                                 "KHR_materials_volume",

@@ -1,0 +1,53 @@
+// The colours of the paths of a wavefront: RGB values of the scene as colours of the transport model, and back.
+//
+// In RGB models the functions return their arguments. In the spectral model each path has its own wavelengths.
+#pragma once
+#include <array>
+
+#include "sampling/sampler.h"
+#include "spectrum/uplift.h"
+#include "transport/model_types.h"
+
+namespace etendue::transport {
+
+template <class M, bool spectral = M::kSpectral>
+class PathColor;
+
+template <class M>
+class PathColor<M, false> {
+ public:
+  static const Rgb& emission(int, const Rgb& color) { return color; }
+  static const Rgb& transmittance(int, const Rgb& color) { return color; }
+  static const Rgb& to_rgb(int, const Rgb& color) { return color; }
+};
+
+template <class M>
+class PathColor<M, true> {
+ public:
+  using Color = typename M::Color;
+
+  void start(int path, float random) { at(path) = sample_wavelengths(random); }
+  const Wavelengths& wavelengths(int path) const { return wavelengths_[static_cast<size_t>(path)]; }
+
+  Color emission(int path, const Rgb& color) const { return uplift_emission(color, wavelengths(path)); }
+  Color transmittance(int path, const Rgb& color) const { return uplift_reflectance(color, wavelengths(path)); }
+  // An unbiased estimate of the RGB value.
+  Rgb to_rgb(int path, const Color& color) const { return rgb_estimate(color, wavelengths(path)); }
+
+  // Ends the secondary wavelengths, whose paths deviate from that of the hero wavelength. The hero wavelength has the
+  // same density alone as each of the four, so it takes over their weight.
+  void end_secondary(int path, Color& throughput) {
+    if (at(path).hero_only) return;
+    at(path).hero_only = true;
+    Color hero(0);
+    hero[0] = Color::kSize * throughput[0];
+    throughput = hero;
+  }
+
+ private:
+  Wavelengths& at(int path) { return wavelengths_[static_cast<size_t>(path)]; }
+
+  std::array<Wavelengths, SampleTable::kPaths> wavelengths_;
+};
+
+}  // namespace etendue::transport
