@@ -54,8 +54,8 @@ Spectrum Spectrum::constant(double value) {
 
 Result<Spectrum> Spectrum::blackbody(double kelvin) {
   if (!(kelvin >= kMinTemperature && kelvin <= kMaxTemperature))
-    return usage_error("the temperature of a black body has to be from " + format_number(kMinTemperature) + " to " +
-                       format_number(kMaxTemperature) + " K");
+    return usage_error("the temperature of a black body has to be from " + format_number(kMinTemperature, 6) + " to " +
+                       format_number(kMaxTemperature, 6) + " K");
   Spectrum spectrum;
   spectrum.kelvin_ = kelvin;
   return spectrum;

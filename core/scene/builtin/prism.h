@@ -65,7 +65,7 @@ inline Scene prism_scene() {
   add(scene, "fill light", rectangle({-0.6f, 2.5f, 0.2f}, {1.2f, 0, 0}, {0, 0, 1.2f}),
       add_emitter(scene, "fill light", Rgb(3)));
 
-  Camera camera = look_at(to.entry + Vec3(0, 0.5f, 3), to.entry + Vec3(0.7f, 0.32f, 0), {0, 1, 0}, 0.42f);
+  Camera camera = look_at(to.entry + Vec3(0, 0.5f, 3), to.entry + Vec3(0.5f, 0.32f, 0), {0, 1, 0}, 0.5f);
   camera.aspect = 16.0f / 9;
   add(scene, camera);
   return scene;
