@@ -158,7 +158,7 @@ std::optional<LightTable::PointLight> LightTable::point_light(uint32_t light, fl
 LightSample LightTable::sample_placed(uint32_t light, const Vec3& from, float time) const {
   LightSample sample;
   sample.light = light;
-  if (!sample_other(from, Vec2(0), time, sample)) sample.pdf = 0;
+  if (!sample_other(from, Vec2(0), time, true, sample)) sample.pdf = 0;
   return sample;
 }
 
