@@ -24,7 +24,7 @@ TEST(Film, InvalidSamplesAreCountedByCause) {
   Film film(1, 1);
   film.add(0, 0, 0, Rgb(NAN, 0, 0));
   film.add(0, 0, 1, Rgb(INFINITY, 1, 1));
-  film.add(0, 0, 0, Rgb(-1, 1, 1));
+  film.add(0, 0, 0, Rgb(-1, 0, 0));
   film.add(0, 0, 1, Rgb(4));
   EXPECT_EQ(film.invalid_samples().nan, 1U);
   EXPECT_EQ(film.invalid_samples().infinite, 1U);

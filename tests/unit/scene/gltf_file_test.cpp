@@ -142,12 +142,12 @@ TEST_F(Files, ByteOrderMarkIsIgnored) {
 TEST_F(Files, Extensions) {
   Gltf gltf;
   gltf.triangle();
-  gltf.root["extensionsUsed"] = {"KHR_materials_dispersion", "KHR_materials_ior", "EXT_other"};
-  EXPECT_EQ(opened(gltf).unsupported, (std::vector<std::string>{"KHR_materials_dispersion", "EXT_other"}));
+  gltf.root["extensionsUsed"] = {"KHR_animation_pointer", "KHR_materials_ior", "EXT_other"};
+  EXPECT_EQ(opened(gltf).unsupported, (std::vector<std::string>{"KHR_animation_pointer", "EXT_other"}));
   gltf.root["extensionsRequired"] = {"KHR_materials_ior"};
   EXPECT_EQ(error_of(gltf), "");
-  gltf.root["extensionsRequired"] = {"KHR_materials_ior", "KHR_materials_dispersion"};
-  EXPECT_EQ(error_of(gltf), "requires the extension KHR_materials_dispersion, which is not supported");
+  gltf.root["extensionsRequired"] = {"KHR_materials_ior", "KHR_animation_pointer"};
+  EXPECT_EQ(error_of(gltf), "requires the extension KHR_animation_pointer, which is not supported");
 }
 
 TEST_F(Files, SceneSelection) {
