@@ -27,7 +27,7 @@ CommandOption size_option(std::string& target) {
 CommandOption environment_option(std::string& target) {
   return {.names = "--env",
           .target = &target,
-          .doc = "Environment map: an .hdr, .exr or other image file, or studio, overcast, sunset or uniform"};
+          .doc = "Environment map: an .hdr, .exr or other image file, or studio, overcast, sunset, sky or uniform"};
 }
 
 CommandOption paths_option(std::string& target) {
