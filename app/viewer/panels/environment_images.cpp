@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "light/environments/builtin_environment.h"
+#include "light/sampling/environment_map.h"
 #include "render/document.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
@@ -16,21 +18,33 @@ namespace {
 
 constexpr int kMapWidth = 64, kMapHeight = 32;  // pixels
 
-// The environment in all directions: the front is in the centre, the top is up.
+// The radiance of an environment by direction.
+std::function<Rgb(const Vec3&)> radiance_of(const BuiltinEnvironment& environment) {
+  if (environment.radiance) return environment.radiance;
+  if (!environment.make) return [](const Vec3&) { return Rgb(1); };
+  return [map = std::make_shared<EnvironmentMap>(environment.make())](const Vec3& d) { return map->radiance(d); };
+}
+
+// The environment in all directions: the front is in the centre, the top is up. Those with the luminance of daylight are
+// darkened.
 ThumbnailImage image_of(const BuiltinEnvironment& environment) {
+  const auto radiance_at = radiance_of(environment);
   std::vector<float> pixels;
+  double sum = 0;
   for (int y = 0; y < kMapHeight; ++y)
     for (int x = 0; x < kMapWidth; ++x) {
       const float azimuth = 2 * kPi * ((static_cast<float>(x) + 0.5f) / kMapWidth - 0.5f);
       const float polar = kPi * (static_cast<float>(y) + 0.5f) / kMapHeight;
       const Vec3 direction(std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth));
-      const Rgb radiance = environment.radiance ? environment.radiance(direction) : Rgb(1);
+      const Rgb radiance = radiance_at(direction);
+      sum += static_cast<double>(luminance(radiance));
       pixels.insert(pixels.end(), {radiance.r, radiance.g, radiance.b});
     }
+  const auto mean = static_cast<float>(sum / (kMapWidth * kMapHeight));
   return {.width = kMapWidth,
           .height = kMapHeight,
           .pixels = std::make_shared<const std::vector<float>>(std::move(pixels)),
-          .exposure = -1,
+          .exposure = -1 - std::max(0.0f, std::log2(mean)),
           .curve = image::ToneCurve::neutral};
 }
 
