@@ -2,8 +2,8 @@
 #include "viewer/viewport/first_view.h"
 
 #include "render/document.h"
-#include "scene/gltf/save_gltf.h"
 #include "scene/compiled_scene.h"
+#include "scene/gltf/save_gltf.h"
 #include "scripted.h"
 
 namespace etendue {
@@ -62,11 +62,25 @@ TEST_F(FirstView, TheExposureSuitsABrightScene) {
 }
 
 TEST_F(FirstView, AnEditOfTheUserEndsTheAdjustments) {
-  ASSERT_EQ(run(json::array({set("camera.exposure", 1), {{"do", "wait"}, {"spp", 8}}, {{"do", "wait"}, {"seconds", 0.5}},
+  ASSERT_EQ(run(json::array({set("camera.exposure", 1),
+                             {{"do", "wait"}, {"spp", 8}},
+                             {{"do", "wait"}, {"seconds", 0.5}},
                              file_step("state", path("s.json"))}),
                 cornell_with_light(1024)),
             0);
   EXPECT_EQ(state("s.json")["parameters"]["camera.exposure"], 1);
+}
+
+// A sky has thousands of cd/m^2. The exposure belongs to the same step of undo.
+TEST_F(FirstView, TheExposureSuitsAnotherEnvironment) {
+  const json wait{{"do", "wait"}, {"spp", 8}};
+  ASSERT_EQ(run(json::array({wait, set("environment.preset", "sky"), wait, file_step("state", path("sky.json")),
+                             key("ctrl+z"), wait, file_step("state", path("undone.json"))})),
+            0);
+  EXPECT_LT(state("sky.json")["parameters"]["camera.exposure"].get<double>(), -4);
+  EXPECT_EQ(state("sky.json")["undo_depth"], 1);
+  EXPECT_EQ(state("undone.json")["parameters"]["camera.exposure"], 0);
+  EXPECT_EQ(state("undone.json")["undo_depth"], 0);
 }
 
 TEST_F(FirstView, TheMessageAboutMissingLightsOpensTheLightPanel) {
@@ -83,9 +97,14 @@ TEST_F(FirstView, AnimationsPlayWithoutEditingTheScene) {
   if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
   const std::string file = std::string(data) + "/gltf/AnimatedMorphCube.glb";
   if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
-  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, key("p"), {{"do", "wait"}, {"seconds", 1.5}}, key("p"),
-                             {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("played.json")),
-                             {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("stopped.json"))}),
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
+                             key("p"),
+                             {{"do", "wait"}, {"seconds", 1.5}},
+                             key("p"),
+                             {{"do", "wait"}, {"seconds", 0.5}},
+                             file_step("state", path("played.json")),
+                             {{"do", "wait"}, {"seconds", 0.5}},
+                             file_step("state", path("stopped.json"))}),
                 file),
             0);
   const double time = state("played.json")["parameters"]["scene.time"];

@@ -86,6 +86,7 @@ struct ViewportState {
   CameraController camera_controller;
   bool pivot_is_outdated = false;  // it belongs to the previous document
   FirstView first_view = FirstView::adjusted;
+  std::string environment;  // the document's, as `first_view` knows it
   Playback playback;
   std::optional<ClickTool> click_tool;
 };

@@ -60,6 +60,14 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
                                       static_cast<double>(*exposure)));
 }
 
+// Notices another environment. That of a scene just opened is not the user's choice.
+void watch_environment(AppState& state) {
+  const std::string& environment = state.document().scene->environment.file;
+  if (environment == state.viewport.environment) return;
+  state.viewport.environment = environment;
+  if (state.editor->undo_depth() > 0) state.viewport.first_view = FirstView::environment_selected;
+}
+
 }  // namespace
 
 Camera camera_for_navigation(const render::Document& document, const scene::CompiledScene& scene) {
@@ -72,9 +80,10 @@ Camera camera_for_navigation(const render::Document& document, const scene::Comp
 }
 
 void adjust_first_view(AppState& state) {
+  watch_environment(state);
   FirstView& pending = state.viewport.first_view;
   if (pending == FirstView::adjusted) return;
-  if (state.editor->undo_depth() > 0) {
+  if (pending != FirstView::environment_selected && state.editor->undo_depth() > 0) {
     pending = FirstView::adjusted;
     return;
   }
