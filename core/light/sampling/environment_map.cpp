@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/fast_trigonometry.h"
 #include "base/warp.h"
 
 namespace etendue {
@@ -152,8 +153,8 @@ void EnvironmentMap::prepare_sun(const Rgb& tint) {
 }
 
 Vec2 EnvironmentMap::uv_of(const Vec3& d) const {
-  const float u = 0.5f + (std::atan2(d.z, d.x) - environment_.rotation) / (2 * kPi);
-  const float v = std::acos(std::clamp(d.y, -1.0f, 1.0f)) * kInvPi;
+  const float u = 0.5f + (fast_atan2(d.z, d.x) - environment_.rotation) / (2 * kPi);
+  const float v = fast_acos(d.y) * kInvPi;
   return Vec2(std::min(u - std::floor(u), kOneMinusEpsilon), std::min(v, kOneMinusEpsilon));
 }
 
