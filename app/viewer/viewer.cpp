@@ -73,7 +73,7 @@ class Application {
     state_.interface.welcome_open = state_.options.scene.empty() && !script && state_.settings.show_welcome;
     last_draw_ = Clock::now();
     share_start_ = last_draw_;
-    while (!state_.quit) {
+    while (!state_.quit || state_.stays_open) {
       platform_.wait(max_wait(script));
       step(script);
       if (platform_.take_close_request()) quit_after_unsaved_edits();

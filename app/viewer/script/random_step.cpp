@@ -41,13 +41,17 @@ class RandomStep final : public Step {
 
   StepStatus advance(AppState& state) override {
     state.quit = false;
+    state.stays_open = true;
     if (!queue_.empty()) {
       for (Event& event : queue_.front()) state.platform.events().push(std::move(event));
       queue_.erase(queue_.begin());
       return {};
     }
     if (frames_left_-- > 0) return {};
-    if (done_ >= user_.actions) return {.done = true};
+    if (done_ >= user_.actions) {
+      state.stays_open = false;
+      return {.done = true};
+    }
     ++done_;
     frames_left_ = kFramesAfterAction;
     // Nothing is written to a folder that was chosen at random.

@@ -188,6 +188,7 @@ struct AppState {
   std::string previous_integrator;  // for the action that switches back to it
   Timing timing;
   bool quit = false;
+  bool stays_open = false;  // the random user of a script does not quit
 
   const std::unique_ptr<render::Session> session;
   const std::unique_ptr<Editor> editor;
