@@ -9,6 +9,7 @@
 
 #include "integrator/integrator.h"
 #include "render/incompatibility.h"
+#include "statistical/media/expected_radiance.h"
 #include "stress/test_context.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
@@ -17,6 +18,7 @@ namespace etendue {
 namespace {
 
 using render::Document;
+using test::expect_radiance;
 using test::medium;
 using test::medium_boundary;
 using test::turbid_liquid;
@@ -36,26 +38,6 @@ Mat4 at(const Vec3& p) {
 // A camera whose pixels all see in one direction.
 Document narrow_view(scene::Scene scene, const Vec3& eye, const Vec3& target, const Vec3& up = {0, 1, 0}) {
   return test::document(std::move(scene), look_at(eye, target, up, 1e-4f), 16, 16);
-}
-
-// The mean of every colour channel within 4.5 standard errors of at most `largest_error` of it.
-void expect_colors(const Document& d, uint32_t samples, const Rgb& expected, double largest_error,
-                   const std::string& what) {
-  const film::Film film = test::rendered(d, samples);
-  const double n = static_cast<double>(film.width()) * film.height();
-  for (int c = 0; c < 3; ++c) {
-    double sum = 0, squares = 0;
-    for (int y = 0; y < film.height(); ++y)
-      for (int x = 0; x < film.width(); ++x) {
-        const auto value = static_cast<double>(film.mean(x, y)[c]);
-        sum += value;
-        squares += value * value;
-      }
-    const double mean = sum / n, error = std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1));
-    const auto wanted = static_cast<double>(expected[c]);
-    EXPECT_NEAR(mean, wanted, 4.5 * error + 3e-4 * wanted) << what << ", channel " << c;
-    EXPECT_LE(error, largest_error * wanted) << what << ", channel " << c;
-  }
 }
 
 // ---- Absorption.
@@ -145,10 +127,10 @@ TEST(SingleScattering, EqualsTheAirlightIntegral) {
       Document d = narrow_view(scene, Vec3(0), {0, 0, -1});
       const Rgb expected = airlight(m, light, kIntensity, 120);
       const std::string what = "g = " + std::to_string(g);
-      expect_colors(with(d, "path.max-depth", "2"), 256, expected, 0.01, what + ", by depth");
-      expect_colors(with(d, "film.paths", "EVL"), 256, expected, 0.01, what + ", by class");
+      expect_radiance(with(d, "path.max-depth", "2"), 256, expected, 0.01, what + ", by depth");
+      expect_radiance(with(d, "film.paths", "EVL"), 256, expected, 0.01, what + ", by class");
       for (const char* name : {"distribution", "bdpt"})
-        expect_colors(with(with_integrator(d, name), "film.paths", "EVL"), 256, expected, 0.01, what + ", " + name);
+        expect_radiance(with(with_integrator(d, name), "film.paths", "EVL"), 256, expected, 0.01, what + ", " + name);
     }
 }
 
@@ -163,7 +145,7 @@ TEST(SingleScattering, InABoundedAtmosphere) {
   add(scene, test::quad(0.1f), test::diffuse(Rgb(0)), at({0, 0, 1}));
   add(scene, test::quad(0.1f), test::diffuse(Rgb(0)), at({0, -0.2f, -1}));  // the bounds are centred at (0, -0.1, 0)
   const Document d = with(narrow_view(scene, Vec3(0), {0, 0, -1}), "path.max-depth", "2");
-  expect_colors(d, 256, airlight(m, light, 10, std::sqrt(25 - 0.01)), 0.01, "sphere of 5 m");
+  expect_radiance(d, 256, airlight(m, light, 10, std::sqrt(25 - 0.01)), 0.01, "sphere of 5 m");
 }
 
 // ---- Conservation of energy.
@@ -182,8 +164,8 @@ TEST(WhiteFurnace, ScatteringWithoutAbsorptionIsInvisible) {
         for (const char* name : kFurnaceIntegrators) {
           const Document d = narrow_view(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0});
           const float eta = distance < 1 && !ball.boundary_only ? ball.ior : 1;
-          expect_colors(with_integrator(d, name), std::string(name) == "bdpt" ? 256 : 64, Rgb(eta * eta), 0.02,
-                        std::string(name) + " at " + std::to_string(distance));
+          expect_radiance(with_integrator(d, name), std::string(name) == "bdpt" ? 256 : 64, Rgb(eta * eta), 0.02,
+                          std::string(name) + " at " + std::to_string(distance));
         }
     }
 }
@@ -196,8 +178,8 @@ TEST(WhiteFurnace, Atmosphere) {
   scene.environment.tint = Rgb(1);
   for (const float distance : {5.0f, 1.0f})
     for (const char* name : kFurnaceIntegrators)
-      expect_colors(with_integrator(narrow_view(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0}), name), 64, Rgb(1),
-                    0.02, name);
+      expect_radiance(with_integrator(narrow_view(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0}), name), 64, Rgb(1),
+                      0.02, name);
 }
 
 // ---- Multiple scattering.
@@ -220,8 +202,8 @@ TEST(Slab, TransmitsDiffuseLightAsTabulated) {
     down[2][2] = -1;
     add(scene, test::quad(1e-3f), card, down);
     const Document d = narrow_view(scene, {0, 0.599f, 0}, {0, 0.6f, 0}, {0, 0, 1});
-    expect_colors(with_integrator(d, "path-pure"), 1024, Rgb(transmittance), 0.005,
-                  "optical depth " + std::to_string(depth));
+    expect_radiance(with_integrator(d, "path-pure"), 1024, Rgb(transmittance), 0.005,
+                    "optical depth " + std::to_string(depth));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "integrator/integrator.h"
 #include "render/incompatibility.h"
+#include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
 #include "transport/model.h"
@@ -16,6 +17,7 @@ namespace etendue::heterogeneous {
 namespace {
 
 using render::Document;
+using test::expect_radiance;
 using test::medium;
 using test::medium_boundary;
 using test::with;
@@ -44,26 +46,6 @@ Document narrow(scene::Scene scene, const Vec3& eye, const Vec3& target) {
   const Vec3 along = glm::normalize(target - eye);
   const Vec3 up = std::abs(along.y) > 0.9f ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
   return test::document(std::move(scene), look_at(eye, target, up, 1e-4f), 16, 16);
-}
-
-// The mean of every colour channel within 4.5 standard errors of at most `largest_error` of it.
-void expect_radiance(const Document& d, uint32_t samples, const Rgb& expected, double largest_error,
-                     const std::string& what) {
-  const film::Film film = test::rendered(d, samples);
-  const double n = static_cast<double>(film.width()) * film.height();
-  for (int c = 0; c < 3; ++c) {
-    double sum = 0, squares = 0;
-    for (int y = 0; y < film.height(); ++y)
-      for (int x = 0; x < film.width(); ++x) {
-        const auto value = static_cast<double>(film.mean(x, y)[c]);
-        sum += value;
-        squares += value * value;
-      }
-    const double mean = sum / n, error = std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1));
-    const auto wanted = static_cast<double>(expected[c]);
-    EXPECT_NEAR(mean, wanted, 4.5 * error + 3e-4 * wanted + 1e-12) << what << ", channel " << c;
-    EXPECT_LE(error, largest_error * wanted + 1e-12) << what << ", channel " << c;
-  }
 }
 
 // A box of 2 m around the origin, above a plate that emits radiance 10.
