@@ -61,7 +61,12 @@ json integrators_json() {
 
 json samplers_json() {
   json list = json::array();
-  for (const auto& info : sampler_infos()) list.push_back(entry_json(info.name, info.label, info.doc, info.parameters));
+  for (const auto& info : sampler_infos()) {
+    json j = entry_json(info.name, info.label, info.doc, info.parameters);
+    j["progressive"] = info.progressive;
+    j["independent"] = info.independent;
+    list.push_back(j);
+  }
   return list;
 }
 
