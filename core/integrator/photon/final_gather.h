@@ -40,8 +40,8 @@ class FinalGather {
   }
 
   // Adds the light that the current collisions scatter, except for direct light.
-  void add_volume_photons(PathWavefront& paths) const {
-    add_nearest_volume_photons(paths, global_.view, global_.nearest, 0);
+  void add_volume_photons(PathWavefront& paths, ShallowCollisions<M>& shallow) const {
+    add_nearest_volume_photons(paths, global_.view, global_.nearest, 0, shallow);
   }
 
   // Adds the indirect light from rough surfaces that the current hits of the camera paths reflect.
@@ -149,7 +149,7 @@ class FinalGather {
       add_caustics(paths_, before, is_near);
     }
     add_nearest_photons(paths_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
-    add_nearest_volume_photons(paths_, global_.view, global_.nearest, before);
+    add_nearest_volume_photons(paths_, global_.view, global_.nearest, before, NeverShallow());
     const AcceptNearSpecular near_specular{split()};
     sample_bsdf(paths_, 1, TransportMode::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
       return is_near(i) ? AcceptAll()(paths, i, s) : near_specular(paths, i, s);

@@ -14,8 +14,8 @@
 #include "base/stopwatch.h"
 #include "integrator/photon/kernel.h"
 #include "integrator/photon/photon_map.h"
+#include "integrator/photon/shallow_collisions.h"
 #include "transport/path_expression/join_weights.h"
-#include "transport/wavefront/lobe_split.h"
 
 namespace etendue::integrator {
 
@@ -147,10 +147,10 @@ void add_nearest_photons(transport::PathWavefront<M>& paths, const PhotonView& v
   }
 }
 
-// The same for the current vertices in media.
-template <class M>
+// The same for the current collisions in media, except for shallow ones, which it finds (shallow_collisions.h).
+template <class M, class Shallow>
 void add_nearest_volume_photons(transport::PathWavefront<M>& paths, const PhotonView& view,
-                                const NearestPhotons& nearest, int before) {
+                                const NearestPhotons& nearest, int before, Shallow&& shallow) {
   if constexpr (M::kScattering) {
     if (!view.volume_map) return;
     static thread_local std::vector<photon::Neighbour> neighbours;
@@ -159,7 +159,7 @@ void add_nearest_volume_photons(transport::PathWavefront<M>& paths, const Photon
       if (!paths.in_volume(i)) continue;
       const auto ball =
           view.volume_map->nearest_in_ball(paths.point(i).position, nearest.count, nearest.max_distance2, neighbours);
-      if (ball.photons.empty()) continue;
+      if (shallow.decide(i, ball.radius2) || ball.photons.empty()) continue;
       const PhotonScattering<M> scattering(paths, i, view, before + paths.length());
       typename M::Color sum(0);
       for (const photon::Neighbour& n : ball.photons)
@@ -189,16 +189,18 @@ void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& vi
   }
 }
 
-// The same for the current vertices in media.
+// The same for the current collisions in media, except for shallow ones, which it finds (shallow_collisions.h).
 template <class M, class Radius2>
-void add_volume_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2) {
+void add_volume_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2,
+                               ShallowCollisions<M>& shallow) {
   if constexpr (M::kScattering) {
     if (!view.volume_map) return;
     const Stopwatch::Lap lap(view.watch);
     for (int i = 0; i < paths.hit_count(); ++i) {
       if (!paths.in_volume(i)) continue;
-      const PhotonScattering<M> scattering(paths, i, view, paths.length());
       const float r2 = radius2(i);
+      if (shallow.decide(i, r2)) continue;
+      const PhotonScattering<M> scattering(paths, i, view, paths.length());
       typename M::Color sum(0);
       view.volume_map->for_each_in_ball(paths.point(i).position, r2, [&](const photon::Photon& photon, float) {
         sum += scattering.scattered(photon);

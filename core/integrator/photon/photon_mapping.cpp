@@ -21,7 +21,8 @@
 // (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from the photons in
 // a ball. `direct` takes all of it from the volume map. `classic` samples direct light (VL) and takes the rest from the
 // map, without gather rays; on the segments of camera paths, point lights are sampled by equiangular distances as well.
-// Gather rays that collide are estimated in the same way.
+// Gather rays that collide are estimated in the same way. Where the ball would reach beyond the boundary at which a camera
+// path has entered the medium, the path continues instead (shallow_collisions.h).
 //
 // Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
 // Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,
@@ -29,7 +30,7 @@
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces;
-//                 in media it blurs light over the ball and darkens their boundaries
+//                 in media it blurs light over the ball
 //   Cost          first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample
 //                 with one lookup each
 //   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
@@ -74,7 +75,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .limitations =
             "For any number of samples: caustics and contact shadows are blurred, few photons show as blotches. Direct "
             "visualization darkens edges and leaks light. Glossy surfaces below the roughness limit receive point "
-            "lights only directly. Media are darkened near their boundaries.",
+            "lights only directly.",
         .accumulation = Accumulation::per_image,
         .shortcut = '8',
         .scattering_media = true,
@@ -287,17 +288,21 @@ class PhotonMapping::Maps final : public RenderState {
   bool estimate_direct(const PhotonView& view, const TaskContext& task_context,
                        transport::PathWavefront<M>& paths) const {
     using namespace transport;
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, view.split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
-        add_direct_light_by_lobe(paths, view.split, LitLobes::near_specular);
         const NearestPhotons nearest = integrator_.nearest_of(integrator_.photons, size_);
+        add_nearest_volume_photons(paths, view, nearest, 0, shallow);
+        direct_light.add_near_specular();
         add_nearest_photons(paths, view, nearest, 0);
-        add_nearest_volume_photons(paths, view, nearest, 0);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
       }
     }
     return true;
@@ -308,19 +313,22 @@ class PhotonMapping::Maps final : public RenderState {
                          transport::PathWavefront<M>& paths) const {
     using namespace transport;
     const LobeSplit split = integrator_.split();
-    DirectLightByLobe<M> direct_light(paths, split);
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
       if (!integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
+        gatherer.add_volume_photons(paths, shallow);
         direct_light.add();
         gatherer.add_caustics(paths);
-        gatherer.add_volume_photons(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{split}, shallow});
       }
     }
     return true;

@@ -18,7 +18,8 @@
 //    L_s  ~  1 / (4/3 pi r_i^3)  sum of p(w_photon, w_o) Phi / sigma_s,       r_i+1^3 / r_i^3 = (i + alpha) / (i + 1)
 //
 // The variance of a sample grows as 1 / r^3, and its bias falls as r^2 [Knaus and Zwicker 2011, sec. 4.2]. Direct light
-// in media is treated as on surfaces: by shadow rays, or by photons (`connect`).
+// in media is treated as on surfaces: by shadow rays, or by photons (`connect`). Where the ball would reach beyond the
+// boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          consistent
@@ -205,23 +206,24 @@ class State final : public RenderState {
     const auto footprint = [&](int i) {
       return footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]);
     };
-    DirectLightByLobe<M> direct_light(paths, view.split);
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, view.split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
       if (integrator_.connect && !integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
         for (int i = 0; i < paths.hit_count(); ++i)
           path_lengths[static_cast<size_t>(paths.path_at(i))] +=
               glm::distance(paths.state_at(i).from, paths.point(i).position);
-        if (integrator_.connect)
-          direct_light.add();
-        else
-          add_direct_light_by_lobe(paths, view.split, LitLobes::near_specular);
+        add_volume_photons_within(
+            paths, view, [&](int i) { return sqr(volume_radius_ * footprint(i)); }, shallow);
+        integrator_.connect ? direct_light.add() : direct_light.add_near_specular();
         add_photons_within(paths, view, [&](int i) { return sqr(radius_ * footprint(i)); });
-        add_volume_photons_within(paths, view, [&](int i) { return sqr(volume_radius_ * footprint(i)); });
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
       }
     }
   }

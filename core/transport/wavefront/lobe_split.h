@@ -80,10 +80,15 @@ typename M::Color share_of_rough(const PathWavefront<M>& paths, int hit) require
   return paths.shares().connection_share(path, Event::diffuse);
 }
 
-// delta_weight(hit, sample) is the MIS weight of a sample of a delta light by rough lobes.
-template <class M, class Selected = EveryHit, class DeltaWeight = OnlyTechnique>
+// delta_weight(hit, sample) is the MIS weight of a sample of a delta light. Paths continue from the collisions in media
+// for which continues(hit) holds, so that their phase functions count as near-specular lobes.
+struct NoHit {
+  constexpr bool operator()(int) const { return false; }
+};
+template <class M, class Selected = EveryHit, class DeltaWeight = OnlyTechnique, class Continues = NoHit>
 void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, LitLobes lobes,
-                              const Selected& selected = {}, const DeltaWeight& delta_weight = {}) {
+                              const Selected& selected = {}, const DeltaWeight& delta_weight = {},
+                              const Continues& continues = {}) {
   using Color = typename M::Color;
   const scene::CompiledScene& scene = paths.scene();
   if (scene.lights().empty() || (M::kDiffuse && lobes == LitLobes::near_specular)) return;
@@ -91,7 +96,7 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
   for (int i = 0; i < paths.hit_count(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    const bool has_near_specular = split.has_near_specular_gloss(bsdf);
+    const bool has_near_specular = split.has_near_specular_gloss(bsdf) || continues(i);
     if (light.pdf == 0 || !selected(i) ||
         !(has_near_specular || (lobes != LitLobes::near_specular && split.has_rough(bsdf))))
       continue;
@@ -102,9 +107,11 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
       glossy = bsdf.eval_component(ScatterType::glossy, wo, light.wi) * bsdf.cosine(light.wi);
       diffuse = bsdf.eval_component(ScatterType::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
+    if (continues(i)) std::swap(diffuse, glossy);
     if constexpr (M::kClasses) {
       diffuse *= share_of_rough(paths, i);
-      glossy *= paths.shares().connection_share(paths.path_at(i), Event::glossy);
+      glossy *= continues(i) ? share_of_rough(paths, i)
+                             : paths.shares().connection_share(paths.path_at(i), Event::glossy);
     }
     const float rough_weight = lobes == LitLobes::near_specular ? 0
                                : light.delta                    ? delta_weight(i, light) / light.pdf
@@ -112,7 +119,7 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
     float glossy_weight = rough_weight;
     if (has_near_specular)
       glossy_weight = lobes == LitLobes::rough ? 0
-                      : light.delta            ? 1 / light.pdf
+                      : light.delta            ? delta_weight(i, light) / light.pdf
                                                : mis_weight_over_pdf(kLobeSplitHeuristic, light.pdf, full.pdf);
     const Color scattered = diffuse * rough_weight + glossy * glossy_weight;
     if (is_black(scattered)) continue;
