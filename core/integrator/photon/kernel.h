@@ -17,7 +17,7 @@ enum class Region { disc, ball };
 
 // `t` is the squared distance over the squared radius, 0 to 1.
 inline float kernel_weight(Kernel kernel, float t, Region region = Region::disc) {
-  constexpr float kBeta = 1.953f, kAtRim = 0.14184795f;         // e^-beta
+  constexpr float kBeta = 1.953f, kAtRim = 0.14184795f;            // e^-beta
   constexpr float kMeanOfDisc = 0.57859f, kMeanOfBall = 0.50538f;  // of the unnormalised Gaussian
   switch (kernel) {
     case Kernel::cone:

@@ -63,7 +63,8 @@ class PhotonEmission {
 
   size_t memory() const {
     size_t photons = 0;
-    for (const StoredPhotons& stored : photons_by_task_) photons += stored.surfaces.capacity() + stored.volumes.capacity();
+    for (const StoredPhotons& stored : photons_by_task_)
+      photons += stored.surfaces.capacity() + stored.volumes.capacity();
     return photons * sizeof(photon::Photon) + map_.memory() + volume_map_.memory();
   }
 

@@ -190,23 +190,22 @@ void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& vi
 }
 
 // The same for the current collisions in media, except for shallow ones, which it finds (shallow_collisions.h).
-template <class M, class Radius2>
-void add_volume_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2,
+template <class M>
+void add_volume_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, float radius2,
                                ShallowCollisions<M>& shallow) {
   if constexpr (M::kScattering) {
     if (!view.volume_map) return;
     const Stopwatch::Lap lap(view.watch);
     for (int i = 0; i < paths.hit_count(); ++i) {
       if (!paths.in_volume(i)) continue;
-      const float r2 = radius2(i);
-      if (shallow.decide(i, r2)) continue;
+      if (shallow.decide(i, radius2)) continue;
       const PhotonScattering<M> scattering(paths, i, view, paths.length());
       typename M::Color sum(0);
-      view.volume_map->for_each_in_ball(paths.point(i).position, r2, [&](const photon::Photon& photon, float) {
+      view.volume_map->for_each_in_ball(paths.point(i).position, radius2, [&](const photon::Photon& photon, float) {
         sum += scattering.scattered(photon);
       });
       auto& path = paths.state_at(i);
-      path.radiance += path.throughput * sum / ball_volume(r2);
+      path.radiance += path.throughput * sum / ball_volume(radius2);
     }
   }
 }

@@ -222,8 +222,8 @@ class PhotonMapping::Maps final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_scattering_model(
-        *context_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {
@@ -247,8 +247,8 @@ class PhotonMapping::Maps final : public RenderState {
   bool same_light(const RenderContext& context) const {
     const transport::Model &a = *context_.model, &b = *context.model;
     return context.seed == context_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.media == b.media &&
-           a.scattering == b.scattering && a.classes == b.classes && (!a.classes || a.paths->automaton() == b.paths->automaton()) &&
-           context.scene->same_light(*context_.scene);
+           a.scattering == b.scattering && a.classes == b.classes &&
+           (!a.classes || a.paths->automaton() == b.paths->automaton()) && context.scene->same_light(*context_.scene);
   }
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {

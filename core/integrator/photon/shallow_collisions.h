@@ -1,9 +1,9 @@
 // Collisions of camera paths near the boundary of a medium.
 //
 // A ball around such a collision lies partly outside of the medium, where no photons are stored, and would be too dark.
-// Camera paths continue from there as in path tracing, until they are farther from the point where they entered the
-// medium than the radius of a lookup. Collisions that are far from that point but close to another part of the boundary
-// remain too dark; this error vanishes with the radius.
+// Camera paths continue from there as in path tracing, until the point where they entered the medium and, in homogeneous
+// media, the next boundary or surface in their direction are farther away than the radius of a lookup. Collisions close to
+// other parts of the boundary remain too dark; this error vanishes with the radius.
 #pragma once
 #include "transport/wavefront/lobe_split.h"
 
@@ -30,7 +30,8 @@ class ShallowCollisions {
   bool decide(int hit, float radius2) {
     if constexpr (M::kScattering) {
       const Vec3 d = paths_.point(hit).position - data_.entry[static_cast<size_t>(paths_.path_at(hit))];
-      return data_.is_shallow[static_cast<size_t>(hit)] = glm::dot(d, d) < radius2;
+      return data_.is_shallow[static_cast<size_t>(hit)] =
+                 glm::dot(d, d) < radius2 || sqr(distance_to_exit(hit)) < radius2;
     }
     return false;
   }
@@ -48,6 +49,14 @@ class ShallowCollisions {
     const transport::ScatteringInterval& part = paths_.media().first_interval(path);
     const Ray& ray = paths_.media().ray(path);
     return part.medium ? ray.origin + glm::normalize(ray.direction) * part.from : paths_.state(path).from;
+  }
+
+  // The distance from a collision to the end of the medium in the direction of the path, if it is known.
+  float distance_to_exit(int hit) const {
+    const int path = paths_.path_at(hit);
+    const transport::ScatteringInterval& part = paths_.media().first_interval(path);
+    const float distance = glm::distance(paths_.media().ray(path).origin, paths_.point(hit).position);
+    return part.contains(distance) ? part.to - distance : kInfinity;
   }
 
   struct Data {

@@ -9,7 +9,8 @@
 // falls as r^2, that is as n^(alpha - 1). [Hachisuka and Jensen 2009] store a radius and photon statistics per pixel;
 // here the radius depends on the sample number alone [Knaus and Zwicker 2011], so that samples are independent and
 // their mean is the image. Each half-buffer counts its own samples. The initial radius is a number of pixel footprints
-// at the length of the path.
+// at the length of the path. In media it is the same everywhere: with footprints, which vanish at the camera, collisions
+// close to a camera in a medium would have infinite variance.
 //
 // In scattering media, collisions are vertices like those of rough surfaces. Photons are stored at their collisions
 // (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from those in a ball
@@ -80,10 +81,11 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
                        Scale::logarithmic};
   Number<float> volume_radius{"volume-radius",
                               "Initial radius in media",
-                              8,
-                              {0.1f, 1000},
-                              "The same for lookups at collisions in media. Raising it reduces noise and blurs light",
-                              "px",
+                              0.03f,
+                              {1e-5f, 1},
+                              "Lookup radius of the first sample at collisions in media, as a fraction of the scene's "
+                              "diameter. Raising it reduces noise and blurs light",
+                              "",
                               Scale::logarithmic};
   Toggle connect{"connect", "Sample lights directly", true,
                  "Direct light by shadow rays. Off: direct light comes from the photon map"};
@@ -155,7 +157,8 @@ class State final : public RenderState {
     emission_.begin(emission_.plan(), sample);
     const double ratio = integrator_.region_ratio(sample / film::kHalfBuffers);
     radius_ = integrator_.radius * static_cast<float>(std::sqrt(ratio));
-    volume_radius_ = integrator_.volume_radius * static_cast<float>(std::cbrt(ratio));
+    const float diameter = 2 * context_.scene->bounds().radius();
+    volume_radius_ = integrator_.volume_radius * diameter * static_cast<float>(std::cbrt(ratio));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
@@ -168,8 +171,8 @@ class State final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_scattering_model(
-        *context_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override { return emission_.memory(); }
@@ -203,8 +206,8 @@ class State final : public RenderState {
                           .volume_map = emission_.volume_map()};
     static thread_local std::array<float, PathWavefront<M>::kCapacity> path_lengths;  // metres
     path_lengths.fill(0);
-    const auto footprint = [&](int i) {
-      return footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]);
+    const auto radius2 = [&](int i) {
+      return sqr(radius_ * footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]));
     };
     ShallowCollisions<M> shallow(paths);
     DirectLightByLobe<M> direct_light(paths, view.split, shallow);
@@ -218,10 +221,9 @@ class State final : public RenderState {
         for (int i = 0; i < paths.hit_count(); ++i)
           path_lengths[static_cast<size_t>(paths.path_at(i))] +=
               glm::distance(paths.state_at(i).from, paths.point(i).position);
-        add_volume_photons_within(
-            paths, view, [&](int i) { return sqr(volume_radius_ * footprint(i)); }, shallow);
+        add_volume_photons_within(paths, view, sqr(volume_radius_), shallow);
         integrator_.connect ? direct_light.add() : direct_light.add_near_specular();
-        add_photons_within(paths, view, [&](int i) { return sqr(radius_ * footprint(i)); });
+        add_photons_within(paths, view, radius2);
         sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
                     AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
       }
@@ -232,7 +234,8 @@ class State final : public RenderState {
   const RenderContext context_;
   const Footprint footprint_;
   PhotonEmission emission_;
-  float radius_ = 0, volume_radius_ = 0;  // pixels
+  float radius_ = 0;         // pixels
+  float volume_radius_ = 0;  // metres
   std::optional<transport::ClassJoin> join_;
 };
 

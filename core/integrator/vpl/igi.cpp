@@ -24,8 +24,9 @@
 //                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
 //   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
-//                 or with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse
-//                 unless the full BSDF is used.
+//                 or with a bound and without compensation are too dark. Compensation misses light that reaches the next
+//                 vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as
+//                 diffuse unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"
@@ -50,8 +51,9 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
         .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
             "Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches, or "
-            "with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse unless "
-            "the full BSDF is used.",
+            "with a bound and without compensation are too dark. Compensation misses light that reaches the next "
+            "vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as "
+            "diffuse unless the full BSDF is used.",
         .accumulation = Accumulation::per_image,
         .scattering_media = true,
         .heterogeneous_media = true,
@@ -162,8 +164,8 @@ class IgiState final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_scattering_model(
-        *context_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {

@@ -87,8 +87,8 @@ class VirtualLighting {
     const float cosine = light.cosine(w);
     const Color scattered = scattering(paths, i, light, w, cosine);
     if (is_black(scattered)) return;
-    const float fraction = bounded_fraction(
-        geometry_term(geometric_cosine(paths, i, w), cosine, distance2), options_.bound);
+    const float fraction =
+        bounded_fraction(geometry_term(geometric_cosine(paths, i, w), cosine, distance2), options_.bound);
     auto& path = paths.state_at(i);
     Ray ray;
     point.spawn_segment(w, distance, ray);
@@ -116,8 +116,7 @@ class VirtualLighting {
       };
       const transport::Automaton& automaton = options_.join->light();
       if (M::kScattering && light.phase) {
-        const auto after =
-            options_.lambertian ? light.state : automaton.next(light.state, transport::Event::volume);
+        const auto after = options_.lambertian ? light.state : automaton.next(light.state, transport::Event::volume);
         return join(after) * light.phase->eval(light.wo, -w);
       }
       if (options_.lambertian) return join(light.state) * (std::max(0.0f, -cosine * light.side) * kInvPi);

@@ -110,8 +110,8 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
     if (continues(i)) std::swap(diffuse, glossy);
     if constexpr (M::kClasses) {
       diffuse *= share_of_rough(paths, i);
-      glossy *= continues(i) ? share_of_rough(paths, i)
-                             : paths.shares().connection_share(paths.path_at(i), Event::glossy);
+      glossy *=
+          continues(i) ? share_of_rough(paths, i) : paths.shares().connection_share(paths.path_at(i), Event::glossy);
     }
     const float rough_weight = lobes == LitLobes::near_specular ? 0
                                : light.delta                    ? delta_weight(i, light) / light.pdf

@@ -179,7 +179,7 @@ class PathMedia<M, true> {
   // By path, in models with scattering media.
   struct Flights {
     PerPath<float> survival;
-    PerPath<int8_t> channel;  // kept by the path; -1: none
+    PerPath<int8_t> channel;                 // kept by the path; -1: none
     PerPath<Rgb> densities, next_densities;  // of paths that keep a channel, at the start of the segment and at its end
     PerPath<ScatteringInterval> first;
   };

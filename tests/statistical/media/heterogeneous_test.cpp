@@ -239,7 +239,8 @@ std::string refusal(const Document& d, const std::string& integrator) {
 }
 
 TEST(Refusal, OfIntegratorsWithoutHeterogeneousMedia) {
-  for (const MediumDescription& m : {with_density(medium(Rgb(1)), "ball"), with_density(medium(Rgb(0), Rgb(1)), "ball")})
+  for (const MediumDescription& m :
+       {with_density(medium(Rgb(1)), "ball"), with_density(medium(Rgb(0), Rgb(1)), "ball")})
     for (const auto& info : integrator::integrator_infos()) {
       const std::string reason = refusal(scene_with(m), info.name);
       EXPECT_EQ(reason.empty(), info.heterogeneous_media) << info.name << ": " << reason;
