@@ -203,11 +203,13 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
     if (!distance) return true;
     segment.collision.position = ray.origin + ray.direction * (part.from + *distance / scale);
     segment.collision.phase = phase;
+    segment.collision.scattering = flight.scattering_at_collision();
     return false;
   });
   segment.transmittance = flight.weight();
   segment.emitted = flight.emitted();
   segment.survival = flight.survival();
+  segment.densities = flight.densities();
   if (!segment.collision.phase) return;
   segment.hit = {};
   segment.interface.clear(stack);
