@@ -78,7 +78,9 @@ class Filter {
   }
 
   std::string missing_text(const Automaton& paths) const {
-    return "it does not find the paths " + transport::expression_of(paths, volumes_);
+    constexpr size_t kLongest = 60;  // characters of an expression that people can read
+    const std::string text = transport::expression_of(paths, volumes_);
+    return text.size() <= kLongest ? "it does not find the paths " + text : "it does not find some of the paths";
   }
 
   const render::Document& document_;

@@ -34,9 +34,8 @@ scene::Scene with_point_lights_only(const scene::Scene& scene) {
 }
 
 bool has_specular_surfaces(const scene::CompiledScene& scene) {
-  return std::ranges::any_of(scene.instances(), [&](const auto& instance) {
-    return scene.materials()[instance.material].has_delta_lobes;
-  });
+  return std::ranges::any_of(
+      scene.instances(), [&](const auto& instance) { return scene.materials()[instance.material].has_delta_lobes; });
 }
 
 }  // namespace etendue::advisor

@@ -19,12 +19,14 @@ namespace {
 // The first small rendering, which determines the size of the pilots.
 constexpr int kProbePixels = 2500;
 constexpr uint32_t kProbeSamples = 2;
-// Sizes of pilots in pixels.
-constexpr int kMinPilotPixels = 2048, kMaxPilotPixels = 40000;
+// Sizes of pilots in pixels; with a time limit they may be smaller.
+constexpr int kMinPilotPixels = 1024, kMinTimedPixels = 512, kMaxPilotPixels = 40000;
 // Pilots are so small that the budget permits this number of samples per pixel by the cheapest method.
 constexpr double kPilotSamples = 96;
-// The fraction of the budget for the first round of the integrators, and for the comparison of samplers.
-constexpr double kFirstRound = 0.1, kSamplerShare = 0.25;
+// The fraction of the budget that the first round of the integrators should take, and that which it may take.
+constexpr double kFirstRound = 0.1, kLongestFirstRound = 0.6;
+// The fraction of the budget for the comparison of samplers.
+constexpr double kSamplerShare = 0.25;
 // The image with which missing paths are measured, and the fraction of the budget for it.
 constexpr int kMissingPixels = 2500;
 constexpr uint32_t kMissingSamples = 16;
@@ -112,7 +114,8 @@ class Chooser {
   Chooser(render::Session& session, const render::Document& document, const bench::Progress& progress,
           const ChoiceOptions& options)
       : session_(session), document_(document), options_(options) {
-    choice_.by_time = document.limits.seconds > 0;
+    seconds_ = options_.seconds > 0 ? options_.seconds : kPilotFraction * document.limits.seconds;
+    choice_.by_time = seconds_ > 0;
     choice_.measure = document.automatic.error;
     choice_.method = document.method;
     if (!options_.clock) options_.clock = steady_seconds;
@@ -131,8 +134,7 @@ class Chooser {
     std::vector<ConsideredMethod> refused;
     MissingEnergy missing_energy(session_, document_, *scene);
     const auto goes_on = [&] {
-      return progress_(0, "missing paths") &&
-             (!choice_.by_time || options_.clock() - start < kMissingShare * kPilotFraction * document_.limits.seconds);
+      return progress_(0, "missing paths") && (!choice_.by_time || options_.clock() - start < kMissingShare * seconds_);
     };
     for (const AllowedMethod& m : allowed_methods(document_, *scene)) {
       const std::optional<double> missing = !m.refusal.empty() && !m.missing_of_points.empty()
@@ -175,9 +177,7 @@ class Chooser {
   }
 
   // What is left of the budget in seconds.
-  double seconds_left(double start) const {
-    return kPilotFraction * document_.limits.seconds - (options_.clock() - start);
-  }
+  double seconds_left(double start) const { return seconds_ - (options_.clock() - start); }
   // The budget in samples of a pixel; that of small images with few samples is larger than the fraction.
   double budget_samples() const {
     const uint32_t samples = document_.limits.samples > 0 ? document_.limits.samples : kAssumedSamples;
@@ -197,8 +197,9 @@ class Chooser {
     const double seconds = options_.cost(session_.status(), probe.method);
     const double per_pixel = seconds / (static_cast<double>(probe.width) * probe.height);
     const double first_round = per_pixel * kTypicalCost * static_cast<double>(candidates.size());
-    const double pixels = kFirstRound * (1 - kSamplerShare) * seconds_left(start) / std::max(1e-12, first_round);
-    return pixels < kMinPilotPixels ? 0 : static_cast<int>(std::min<double>(kMaxPilotPixels, pixels));
+    const double pixels = (1 - kSamplerShare) * seconds_left(start) / std::max(1e-12, first_round);
+    if (kLongestFirstRound * pixels < kMinTimedPixels) return 0;
+    return static_cast<int>(std::clamp<double>(kFirstRound * pixels, kMinTimedPixels, kMaxPilotPixels));
   }
 
   void compare_integrators(const std::vector<ComparedMethod>& candidates, double start) {
@@ -270,6 +271,7 @@ class Chooser {
   const render::Document& document_;
   ChoiceOptions options_;
   bench::Progress progress_;
+  double seconds_ = 0;           // the budget, if the time is limited
   double base_ = 0, share_ = 1;  // of the reported progress
   int pilot_pixels_ = kMaxPilotPixels;
   MethodChoice choice_;

@@ -42,7 +42,9 @@ struct MethodChoice {
 };
 
 struct ChoiceOptions {
-  // The cost of a rendering: by default seconds if the document has a time limit, otherwise weighted rays.
+  // Time for the choice; 0: kPilotFraction of the time limit, if the document has one.
+  double seconds = 0;
+  // The cost of a rendering: by default seconds if the time is limited, otherwise weighted rays.
   CostFunction cost = {};
   // Seconds since some moment, to measure how long the choice takes; by default the steady clock.
   std::function<double()> clock = {};

@@ -15,9 +15,8 @@ namespace {
 using integrator::Bias;
 
 // A method ends early if its squared error at equal cost exceeds that of the best one by this factor. Estimates from
-// less than `kFewSamples` samples are uncertain.
-constexpr double kHopeless = 6, kHopelessEarly = 50;
-constexpr uint32_t kFewSamples = 8;
+// few samples are uncertain.
+double hopeless_factor(uint32_t samples) { return samples < 8 ? 50 : samples < 32 ? 6 : samples < 64 ? 3 : 1.5; }
 constexpr uint32_t kFirstSamples = 2;  // of the first round: one per half-buffer
 // Standard errors by which one image must be darker than another to count as incomplete.
 constexpr double kDarker = 3;
@@ -102,7 +101,7 @@ class MethodRace {
       }
       if (samples == kFirstSamples && plan_.budget_samples > 0) set_budget_from_samples();
       rank();
-      end_hopeless(samples < kFewSamples ? kHopelessEarly : kHopeless);
+      end_hopeless(hopeless_factor(samples));
     }
     return true;
   }
@@ -164,8 +163,9 @@ class MethodRace {
     m.cost += cost;
     result_.cost += cost;
     if (!completed) {
-      // An image with different numbers of samples per pixel is not comparable.
-      m.error = {};
+      // An image with different numbers of samples per pixel is not comparable; the earlier measurement stays.
+      m.cost -= cost;
+      m.film = {};
       return is_interrupted ? Outcome::interrupted : Outcome::too_expensive;
     }
     m.samples = status.samples;
@@ -185,8 +185,8 @@ class MethodRace {
     const ComparedMethod* best = nullptr;
     for (const auto* list : {&racing_, &result_.methods})
       for (const ComparedMethod& other : *list)
-        if (&other != &m && other.error.known && bias_of_integrator(other.method) == Bias::unbiased &&
-            (!best || other.error.value < best->error.value))
+        if (&other != &m && other.error.known && !other.film.pixels().empty() &&
+            bias_of_integrator(other.method) == Bias::unbiased && (!best || other.error.value < best->error.value))
           best = &other;
     return best;
   }
@@ -210,7 +210,7 @@ class MethodRace {
   double squared_bias(const ComparedMethod& m) const {
     if (bias_of_integrator(m.method) == Bias::unbiased) return 0;
     const ComparedMethod* other = reference_for(m);
-    if (!other || other->film.pixels().size() != m.film.pixels().size()) return 0;
+    if (!other || m.film.pixels().empty()) return m.bias;
     const MeanSquare square = squared_error(m.film, other->film);
     return std::max(0.0, square.value + 2 * square.standard_error - sqr(m.error.value));
   }

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Compares the automatic choice of the integrator with the best integrator in hindsight, in equal time.
+
+    automatic_choice.py [--scenes A,B,...] [--time 3] [--size 128x128] [--repeats 1] [--error relative] [--etendue PATH]
+
+For each scene, `auto` and every integrator that it compared render for the same time; that of `auto` includes its pilots.
+The runs are interleaved. Squared errors are measured against a reference with 20 times the time. The ratio is the squared
+error of `auto` divided by the smallest one of the integrators, averaged over the repeats. Writes a table in Markdown.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import tempfile
+
+SCENES = ("cornell,cornell-spheres,glossy-plates,glass-caustic,caustic-pool,spot-indirect,door-ajar,many-lights,fog,"
+          "god-rays")
+REFERENCE_TIME = 20  # times the rendering time
+GOAL = 1.3
+
+
+class Scene:
+    def __init__(self, name, options, folder):
+        self.name, self.options, self.folder = name, options, folder
+
+    def run(self, *arguments):
+        command = [self.options.etendue, *map(str, arguments)]
+        result = subprocess.run(command, capture_output=True, text=True)
+        if result.returncode != 0:
+            raise SystemExit(f"{' '.join(command)}: {result.stderr.strip()}")
+        return json.loads(result.stdout)
+
+    def render(self, file, integrator, seconds, seed):
+        return self.run("render", self.name, "--size", self.options.size, "--time", seconds, "--seed", seed,
+                        "--integrator", integrator, "--set", f"auto.error={self.options.error}",
+                        "-o", self.folder / file, "--json", "-")
+
+    def squared_error(self, file):
+        errors = self.run("compare", self.folder / file, self.folder / "reference.exr", "--json")
+        return errors["relmse"] if self.options.error == "relative" else errors["mse"]
+
+    def measure(self):
+        seconds = self.options.time
+        first = self.render("auto.exr", "auto", REFERENCE_TIME * seconds, 1000)
+        candidates = [m["name"] for m in first["automatic"]["methods"] if not m["refusal"]]
+        # The reference has the seed of no other run and the integrator that a long pilot found to be the best.
+        (self.folder / "auto.exr").rename(self.folder / "reference.exr")
+        errors = {name: 0 for name in ["auto", *candidates]}
+        chosen = []
+        for seed in range(1, self.options.repeats + 1):
+            for name in errors:
+                statistics = self.render("image.exr", name, seconds, seed)
+                errors[name] += self.squared_error("image.exr") / self.options.repeats
+                if name == "auto":
+                    chosen.append(statistics["integrator"])
+        return errors, chosen
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--scenes", default=SCENES)
+    parser.add_argument("--time", type=float, default=3)
+    parser.add_argument("--size", default="128x128")
+    parser.add_argument("--repeats", type=int, default=1)
+    parser.add_argument("--error", default="relative", choices=["relative", "rmse"])
+    parser.add_argument("--etendue", default="build/release/app/cli/etendue")
+    options = parser.parse_args()
+    print(f"| scene | chosen | best in hindsight | ratio of squared errors |\n|---|---|---|---:|")
+    good, scenes = 0, options.scenes.split(",")
+    for name in scenes:
+        with tempfile.TemporaryDirectory() as folder:
+            errors, chosen = Scene(name, options, pathlib.Path(folder)).measure()
+        integrators = {n: e for n, e in errors.items() if n != "auto"}
+        best = min(integrators, key=integrators.get) if integrators else chosen[0]
+        ratio = errors["auto"] / integrators[best] if integrators else 1
+        good += ratio <= GOAL
+        print(f"| `{name}` | {', '.join(sorted(set(chosen)))} | {best} | {ratio:.2f} |", flush=True)
+    print(f"\nWithin {GOAL} times of the best integrator on {good} of {len(scenes)} scenes.")
+
+
+if __name__ == "__main__":
+    main()
