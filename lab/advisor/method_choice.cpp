@@ -119,6 +119,7 @@ class Chooser {
     choice_.measure = document.automatic.error;
     choice_.method = document.method;
     if (!options_.clock) options_.clock = steady_seconds;
+    by_processor_time_ = choice_.by_time && !options_.cost;
     if (!options_.cost) options_.cost = choice_.by_time ? time_cost : ray_cost;
     progress_ = [this, &progress](double done, const std::string& what) {
       const bool goes_on = progress(base_ + share_ * done, "choosing the integrator: " + what);
@@ -170,6 +171,7 @@ class Chooser {
     ComparisonPlan plan;
     plan.measure = choice_.measure;
     plan.cost = options_.cost;
+    plan.by_processor_time = by_processor_time_;
     plan.max_pixels = kMaxPilotPixels;
     plan.seed = mix_bits(document_.seed ^ kPilotSeed);
     plan.horizon = 1 / (kPilotFraction * share);
@@ -271,6 +273,7 @@ class Chooser {
   const render::Document& document_;
   ChoiceOptions options_;
   bench::Progress progress_;
+  bool by_processor_time_ = false;
   double seconds_ = 0;           // the budget, if the time is limited
   double base_ = 0, share_ = 1;  // of the reported progress
   int pilot_pixels_ = kMaxPilotPixels;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "advisor/advisor.h"
 #include "advisor/reference_integrator.h"
@@ -14,9 +15,9 @@ namespace {
 
 using integrator::Bias;
 
-// A method ends early if its squared error at equal cost exceeds that of the best one by this factor. Estimates from
-// few samples are uncertain.
-double hopeless_factor(uint32_t samples) { return samples < 8 ? 50 : samples < 32 ? 6 : samples < 64 ? 3 : 1.5; }
+// A method ends early if its squared error at equal cost, by the lower end of the error's interval, exceeds that of the
+// best one by this factor.
+double hopeless_factor(uint32_t samples) { return samples < 8 ? 16 : samples < 32 ? 4 : samples < 64 ? 2 : 1.3; }
 constexpr uint32_t kFirstSamples = 2;  // of the first round: one per half-buffer
 // Standard errors by which one image must be darker than another to count as incomplete.
 constexpr double kDarker = 3;
@@ -120,8 +121,11 @@ class MethodRace {
 
   void end_hopeless(double factor) {
     const double limit = std::sqrt(factor) * racing_.front().predicted_error;
-    const auto first = std::ranges::find_if(racing_, [&](const auto& m) { return m.predicted_error > limit; });
-    end_from(static_cast<size_t>(first - racing_.begin()));
+    const auto first = std::ranges::stable_partition(racing_, [&](const ComparedMethod& m) {
+      const double optimism = m.error.known && m.noise > 0 ? m.error.interval.low / std::sqrt(m.noise) : 1;
+      return m.predicted_error * optimism <= limit;
+    });
+    end_from(static_cast<size_t>(first.begin() - racing_.begin()));
   }
 
   // Those that end later come first in the result.
@@ -145,6 +149,7 @@ class MethodRace {
     render::Document d = document_;
     d.method = m.method;
     d.limits = {samples, 0, 0};
+    const std::clock_t start = std::clock();
     const uint64_t version =
         m.samples > 0 ? session_.submit(d, render::ResumePoint(std::move(m.film), std::move(m.integrator_state)))
                       : session_.submit(d);
@@ -168,6 +173,7 @@ class MethodRace {
       m.film = {};
       return is_interrupted ? Outcome::interrupted : Outcome::too_expensive;
     }
+    m.processor_seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     m.samples = status.samples;
     m.error = film::measured_error(m.film, plan_.measure, d.display.transform());
     measure_mean(m);
@@ -189,6 +195,17 @@ class MethodRace {
             bias_of_integrator(other.method) == Bias::unbiased && (!best || other.error.value < best->error.value))
           best = &other;
     return best;
+  }
+
+  double comparable_cost(const ComparedMethod& m) const {
+    if (!plan_.by_processor_time) return m.cost;
+    double cost = 0, processor_seconds = 0;
+    for (const auto* list : {&racing_, &result_.methods})
+      for (const ComparedMethod& other : *list) {
+        cost += other.cost;
+        processor_seconds += other.processor_seconds;
+      }
+    return processor_seconds > 0 && m.processor_seconds > 0 ? m.processor_seconds * cost / processor_seconds : m.cost;
   }
 
   // The squared error of an image, from an independent one.
@@ -217,14 +234,14 @@ class MethodRace {
 
   // Predicts the errors at the horizon. Noise falls as 1/n. The bias of consistent methods falls as n^-2/3, that of
   // progressive photon mapping [Hachisuka and Jensen 2009]; that of biased ones stays. Rare bright samples make an
-  // estimated error too small, so the upper end of its interval is used.
+  // estimated error too small; the geometric mean of the estimate and the upper end of its interval is used.
   void predict() {
     for (ComparedMethod& m : racing_) {
       m.predicted_error = INFINITY;
       if (!m.error.known || m.cost <= 0) continue;
-      m.noise = sqr(m.error.interval.high);
+      m.noise = m.error.value * m.error.interval.high;
       m.bias = squared_bias(m);
-      const double growth = size_ratio_ * plan_.horizon * result_.budget / m.cost;
+      const double growth = size_ratio_ * plan_.horizon * result_.budget / comparable_cost(m);
       const double bias_left = bias_of_integrator(m.method) == Bias::biased ? 1 : std::pow(growth, -2.0 / 3);
       m.predicted_error = std::sqrt(m.noise / growth + m.bias * bias_left + m.missing);
     }

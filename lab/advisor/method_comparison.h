@@ -23,6 +23,7 @@ struct ComparedMethod {
   std::vector<std::byte> integrator_state = {};  // as in render::ResumePoint
   uint32_t samples = 0;                          // per pixel
   double cost = 0;
+  double processor_seconds = 0;  // of all threads
   film::MeasuredError error = {};
   double mean = 0, standard_error = 0;  // luminance of the image
   // The squared error that more samples reduce as 1/n, and the square of the bias, of the pilot image.
@@ -47,6 +48,9 @@ struct ComparisonPlan {
   // Whether a pilot ends when the budget is used up. Otherwise the first round is completed in any case, and the result
   // depends on the costs of complete pilots only.
   bool strict = true;
+  // Whether costs are divided among the methods by their processor time, which depends less than the rendering time on
+  // other programs that run at the same time.
+  bool by_processor_time = false;
   // If positive, the budget is the cost of this number of samples of a pixel, by the cheapest method.
   double budget_samples = 0;
   double horizon = 10;         // the error is predicted for a rendering of this multiple of the budget

@@ -121,7 +121,7 @@ class RenderPanel final : public Panel {
     // The integrator "light" has the name of the section of the Light panel's own parameters.
     const bool is_method = (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
                            render::get(state.document(), name);
-    return is_method || section == "render" || section == "film" || section == "model" ||
+    return is_method || section == "render" || section == "auto" || section == "film" || section == "model" ||
            Panel::reveal_parameter(state, name);
   }
 
