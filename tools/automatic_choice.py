@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Compares the automatic choice of the integrator with the best integrator in hindsight, in equal time.
 
-    automatic_choice.py [--scenes A,B,...] [--time 3] [--size 128x128] [--repeats 1] [--error relative] [--etendue PATH]
+    automatic_choice.py [--scenes A,B,...] [--time 10 | --samples N] [--size 128x128] [--repeats 1] [--error relative]
 
-For each scene, `auto` and every integrator that it compared render for the same time; that of `auto` includes its pilots.
-The runs are interleaved. Squared errors are measured against a reference with 10 times the time. The inefficiency of a run
-is its squared error times its processor time, which depends little on other programs; that of an integrator is the mean
-over the repeats. The ratio is that of `auto` divided by the smallest one of the integrators. Writes a table in Markdown.
+For each scene, `auto` and every integrator that it compared render for the same time, or with the same number of samples.
+The runs are interleaved. Squared errors are measured against a reference of ten times this length. The inefficiency of a
+run is its squared error times its processor time, which depends little on other programs and includes the pilots of
+`auto`; that of an integrator is the mean over the repeats. The ratio is that of `auto` divided by the smallest one of the
+integrators. Writes a table in Markdown. With --samples, the pilots have a fixed amount of work, so that the choice does
+not depend on other programs.
 """
 import argparse
 import json
@@ -17,7 +19,7 @@ import tempfile
 
 SCENES = ("cornell,cornell-spheres,glossy-plates,glass-caustic,caustic-pool,spot-indirect,door-ajar,many-lights,fog,"
           "god-rays")
-REFERENCE_TIME = 10  # times the rendering time
+REFERENCE_LENGTH = 10  # times the time or the samples of a run
 GOAL = 1.3
 
 
@@ -35,9 +37,11 @@ class Scene:
         self.processor_seconds = after.children_user + after.children_system - before.children_user - before.children_system
         return json.loads(result.stdout)
 
-    def render(self, file, integrator, seconds, seed):
-        return self.run("render", self.name, "--size", self.options.size, "--time", seconds, "--seed", seed,
-                        "--integrator", integrator, "--set", f"auto.error={self.options.error}",
+    def render(self, file, integrator, length, seed):
+        options = self.options
+        limit = ["--spp", length * options.samples] if options.samples else ["--time", length * options.time]
+        return self.run("render", self.name, "--size", options.size, *limit, "--seed", seed,
+                        "--integrator", integrator, "--set", f"auto.error={options.error}",
                         "-o", self.folder / file, "--json", "-")
 
     def squared_error(self, file):
@@ -45,8 +49,7 @@ class Scene:
         return errors["relmse"] if self.options.error == "relative" else errors["mse"]
 
     def measure(self):
-        seconds = self.options.time
-        first = self.render("auto.exr", "auto", REFERENCE_TIME * seconds, 1000)
+        first = self.render("auto.exr", "auto", REFERENCE_LENGTH, 1000)
         candidates = [m["name"] for m in first["automatic"]["methods"] if not m["refusal"]]
         # The reference has the seed of no other run and the integrator that a long pilot found to be the best.
         (self.folder / "auto.exr").rename(self.folder / "reference.exr")
@@ -54,7 +57,7 @@ class Scene:
         chosen = []
         for seed in range(1, self.options.repeats + 1):
             for name in errors:
-                statistics = self.render("image.exr", name, seconds, seed)
+                statistics = self.render("image.exr", name, 1, seed)
                 processor_seconds = self.processor_seconds
                 errors[name] += self.squared_error("image.exr") * processor_seconds / self.options.repeats
                 if name == "auto":
@@ -65,7 +68,8 @@ class Scene:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--scenes", default=SCENES)
-    parser.add_argument("--time", type=float, default=3)
+    parser.add_argument("--time", type=float, default=10)
+    parser.add_argument("--samples", type=int)
     parser.add_argument("--size", default="128x128")
     parser.add_argument("--repeats", type=int, default=1)
     parser.add_argument("--error", default="relative", choices=["relative", "rmse"])
