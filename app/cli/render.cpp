@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "advisor/certificate.h"
+#include "advisor/method_choice.h"
 #include "base/file.h"
 #include "base/number_text.h"
 #include "command.h"
@@ -43,6 +44,9 @@ struct RenderArguments {
   int64_t seed = -1;
   double exposure = NAN;
 };
+
+// The fraction of the time limit that remains for the rendering if the choice of the integrator took longer than planned.
+constexpr double kLeastRemainingTime = 0.5;
 
 // The document to render, and the samples that exist already.
 struct Start {
@@ -126,6 +130,8 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   };
   if (auto r = set_size(d, a.scene.size); !r) return r;
   if (auto r = set("render.integrator", a.integrator); !r) return r;
+  // A method that was chosen for the image of --like is chosen again on request only.
+  if (a.integrator == render::kAutomatic && a.resume.empty()) d.automatic.reason.clear();
   if (auto r = set("render.sampler", a.sampler); !r) return r;
   if (auto r = set_environment(d, a.scene.environment); !r) return r;
   if (auto r = set_parameters(d, a.scene.settings); !r) return r;
@@ -167,7 +173,8 @@ std::string progress_text(const render::Status& s) {
                      format_rate(s.rays_per_second, "rays");
   if (s.phase_progress > 0) text += "  " + s.phase + " " + format_percent(s.phase_progress);
   if (s.measured_error.known)
-    text += std::string("  ") + film::measure_label(s.measure) + " " + film::error_text(s.measure, s.measured_error.value);
+    text +=
+        std::string("  ") + film::measure_label(s.measure) + " " + film::error_text(s.measure, s.measured_error.value);
   return text;
 }
 
@@ -189,15 +196,18 @@ class RenderJob {
         document_(std::move(start.document)),
         earlier_seconds_(start.seconds),
         checkpoint_file_(a.resume.empty() ? a.out + ".checkpoint" : a.resume),
-        session_({.threads = a.threads}) {
-    if (start.resume_point)
-      session_.submit(document_, std::move(*start.resume_point));
-    else
-      session_.submit(document_);
-  }
+        resume_point_(std::move(start.resume_point)),
+        session_({.threads = a.threads}) {}
 
   int run() {
     const std::atomic<bool>& interrupted = watch_interrupts();
+    if (document_.automatic.is_pending())
+      if (auto ok = choose_method(interrupted); !ok) return fail(ok.error());
+    if (choice_ && choice_->interrupted) {
+      std::fprintf(stderr, "etendue: interrupted while the integrator was chosen; nothing was rendered\n");
+      return static_cast<int>(Fault::interrupted);
+    }
+    submit();
     if (auto ok = render(interrupted); !ok) return fail(ok.error());
     status_ = session_.status();
     print_incompatibility();
@@ -219,12 +229,40 @@ class RenderJob {
  private:
   using Clock = std::chrono::steady_clock;
 
+  // Resolves the automatic integrator, and prints the reason.
+  Result<void> choose_method(const std::atomic<bool>& interrupted) {
+    Progress progress;
+    const auto show_progress = [&](double done, const std::string& task) {
+      progress.show(done, task);
+      return !interrupted;
+    };
+    auto choice = advisor::choose_method(session_, document_, show_progress);
+    progress.finish();
+    if (!choice) return choice.error();
+    choice_ = std::move(*choice);
+    if (!choice_->interrupted)
+      std::fprintf(stderr, "etendue: %s (%s)\n", choice_->reason.c_str(), format_duration(choice_->seconds).c_str());
+    document_ = advisor::with_choice(std::move(document_), *choice_);
+    return {};
+  }
+
+  // Starts the rendering. Time for the choice of the integrator counts towards the time limit.
+  void submit() {
+    render::Document limited = document_;
+    if (choice_ && limited.limits.seconds > 0)
+      limited.limits.seconds =
+          std::max(kLeastRemainingTime * limited.limits.seconds, limited.limits.seconds - choice_->seconds);
+    version_ = resume_point_ ? session_.submit(limited, std::move(*resume_point_)) : session_.submit(limited);
+  }
+
   Result<void> render(const std::atomic<bool>& interrupted) {
     Progress progress;
     auto last_checkpoint = Clock::now();
-    while (!session_.status().finished && !interrupted) {
+    // Until the session has started this version, the status is that of a pilot.
+    while (!(status_.version == version_ && status_.finished) && !interrupted) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       status_ = session_.status();
+      if (status_.version != version_) continue;
       print_incompatibility();
       progress.show(status_.progress, progress_text(status_));
       const double elapsed = std::chrono::duration<double>(Clock::now() - last_checkpoint).count();
@@ -277,7 +315,8 @@ class RenderJob {
                                               .status = status_,
                                               .model = model,
                                               .threads = a_.threads,
-                                              .certificate = rendering.certificate}) +
+                                              .certificate = rendering.certificate,
+                                              .choice = choice_ ? advisor::choice_json(*choice_) : "null"}) +
                              "\n";
     if (a_.json != "-") return write_file(a_.json, text.data(), text.size());
     std::fputs(text.c_str(), stdout);
@@ -289,7 +328,10 @@ class RenderJob {
   render::Document document_;
   double earlier_seconds_;
   std::string checkpoint_file_;
+  std::optional<render::ResumePoint> resume_point_;
+  std::optional<advisor::MethodChoice> choice_;  // of the automatic integrator, if it was made by this job
   render::Session session_;
+  uint64_t version_ = 0;  // of the document in the session
   render::Status status_;
   bool incompatibility_printed_ = false;
 };
@@ -337,7 +379,8 @@ Command render_command() {
                   error_measure_option(a->measure, "Measure of --error: rmse, relative or displayed (rmse)"),
                   {.names = "--integrator",
                    .target = &a->integrator,
-                   .doc = "Light transport algorithm; see etendue list integrators"},
+                   .doc = "Light transport algorithm; see etendue list integrators. auto: chosen by short pilot "
+                          "renderings (auto.allow, auto.error)"},
                   {.names = "--sampler", .target = &a->sampler, .doc = "Sampler; see etendue list samplers"},
                   set_option(a->scene.settings),
                   size_option(a->scene.size),

@@ -76,6 +76,7 @@ std::string statistics_json(const RenderStatistics& statistics) {
                {"peak_rss_bytes", peak_memory()},
                {"model", model_json(statistics.model)},
                {"obstacle", s.incompatibility.empty() ? json() : json(s.incompatibility)},
+               {"automatic", json::parse(statistics.choice)},
                {"certificate", json::parse(statistics.certificate)}};
   return j.dump(2);
 }

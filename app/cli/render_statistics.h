@@ -12,6 +12,7 @@ struct RenderStatistics {
   const transport::Model& model;
   int threads = 0;                 // 0: one per hardware thread
   const std::string& certificate;  // JSON
+  const std::string& choice;       // JSON of the automatic choice of the integrator; "null" if there was none
 };
 
 std::string statistics_json(const RenderStatistics& statistics);

@@ -136,6 +136,10 @@ Result<render::Document> open_document(const SceneArguments& arguments) {
   if (auto r = set_parameters(*document, arguments.settings); !r) return r.error();
   if (!arguments.paths.empty())
     if (auto r = set_parameter(*document, "film.paths", arguments.paths); !r) return r.error();
+  if (document->automatic.is_pending())
+    return usage_error(
+        "render.integrator: only etendue render and the viewer choose the integrator automatically; name an integrator "
+        "here, or rank them with etendue advise");
   return document;
 }
 

@@ -50,7 +50,8 @@ Result<SettingText> split_setting(const std::string& text);
 // The size in a text like "1280x720". A size that an image cannot have is a usage error.
 Result<Vec2i> parse_size(const std::string& text);
 
-// Opens a scene and applies the arguments in the order size, environment, settings, paths.
+// Opens a scene and applies the arguments in the order size, environment, settings, paths. The integrator "auto" is a
+// usage error.
 Result<render::Document> open_document(const SceneArguments& arguments);
 
 // Prints what the importer had to change or leave out, one line each, on standard error.

@@ -51,6 +51,23 @@ struct MethodSettings {
   friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
+// Which integrators may be chosen automatically: by what their images converge to (integrator::Bias).
+enum class AllowedIntegrators { unbiased, consistent, anything };
+
+// The automatic choice of the method (lab/advisor/method_choice.h). It changes the document's method; a rendering uses
+// the method of the document whether it was chosen automatically or not.
+struct AutomaticMethod {
+  bool enabled = false;
+  AllowedIntegrators allow = AllowedIntegrators::unbiased;
+  film::ErrorMeasure error = film::ErrorMeasure::relative;  // to be minimised
+  std::string reason;  // why the present method was chosen; empty: no choice has been made yet
+
+  bool is_pending() const { return enabled && reason.empty(); }
+  friend bool operator==(const AutomaticMethod&, const AutomaticMethod&) = default;
+};
+// The value of "render.integrator" that enables the automatic choice.
+inline constexpr const char* kAutomatic = "auto";
+
 struct Display {
   float exposure = 0;  // EV: displayed radiance is multiplied by 2^exposure
   image::ToneCurve curve = image::ToneCurve::none;
@@ -68,6 +85,7 @@ struct Document {
   film::FilterKind filter = film::FilterKind::blackman_harris;
   film::Fireflies fireflies = film::Fireflies::keep;
   MethodSettings method;
+  AutomaticMethod automatic;
   std::vector<std::string> forced_flags;  // flags of the transport model that are set to "on" (model.FLAG)
   uint64_t seed = 0;
   Limits limits;
@@ -84,7 +102,7 @@ struct DocumentParameter {
   std::function<void(Document&, const Value&)> assign;
 };
 
-// All sections of a document: "render", "film", "camera", "display", "scene", "environment", "model", the names of the
+// All sections of a document: "render", "auto", "film", "camera", "display", "scene", "environment", "model", the names of the
 // integrators and samplers, "material.N", "light.N" and "node.N".
 std::vector<std::string> sections(const Document& document);
 // All parameters of a section; none if there is no such section.
@@ -121,4 +139,10 @@ template <>
 struct etendue::Options<etendue::render::Adaptive> {
   static constexpr std::array<etendue::Option, 3> kOptions{
       {{"off", "Off"}, {"rmse", "Minimise RMSE"}, {"relmse", "Minimise relative error (relMSE)"}}};
+};
+
+template <>
+struct etendue::Options<etendue::render::AllowedIntegrators> {
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"unbiased", "Unbiased"}, {"consistent", "Consistent"}, {"anything", "Anything"}}};
 };

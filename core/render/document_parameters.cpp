@@ -44,7 +44,8 @@ std::optional<size_t> section_index(std::string_view section, std::string_view k
 }  // namespace
 
 std::vector<std::string> sections(const Document& document) {
-  std::vector<std::string> list{"render", "film", "camera", "display", "scene", "environment", "atmosphere", "model"};
+  std::vector<std::string> list{"render", "auto",        "film",       "camera", "display",
+                                "scene",  "environment", "atmosphere", "model"};
   for (const auto& info : integrator::integrator_infos()) list.push_back(info.name);
   for (const auto& info : sampler_infos()) list.push_back(info.name);
   const scene::Scene& scene = *document.scene;
@@ -56,6 +57,7 @@ std::vector<std::string> sections(const Document& document) {
 
 std::vector<DocumentParameter> section_parameters(const Document& document, std::string_view section) {
   if (section == "render") return render_parameters(document);
+  if (section == "auto") return automatic_parameters(document);
   if (section == "film") return film_parameters(document);
   if (section == "display") return display_parameters(document);
   if (section == "scene") return scene_parameters(document);

@@ -71,6 +71,7 @@ inline DocumentParameter choice_parameter(const std::string& section, const std:
 
 // One function per section, in the file of its name.
 DocumentParameters render_parameters(const Document& document);
+DocumentParameters automatic_parameters(const Document& document);
 DocumentParameters film_parameters(const Document& document);
 DocumentParameters display_parameters(const Document& document);
 DocumentParameters scene_parameters(const Document& document);

@@ -1,4 +1,5 @@
-// Section "render": integrator, sampler, adaptive sampling, seed and limits.
+// Section "render": integrator, sampler, adaptive sampling, seed and limits. Section "auto": the automatic choice of the
+// integrator.
 #include "integrator/integrator.h"
 #include "render/document_parameters.h"
 #include "render/incompatibility.h"
@@ -23,6 +24,26 @@ DocumentParameter registry_choice(const char* name, const char* label, const cha
   parameter.info.default_value = value;
   parameter.assign = [member](Document& document, const Value& v) {
     document.method.*member = std::get<std::string>(v);
+  };
+  return parameter;
+}
+
+// The integrators of the registry, and their automatic choice.
+DocumentParameter integrator_choice(const Document& document) {
+  DocumentParameter parameter =
+      registry_choice("render.integrator", "Integrator",
+                      "Light transport algorithm. Automatic: short pilot renderings decide (section auto)",
+                      integrator::integrator_infos(), document.method.integrator, &MethodSettings::integrator);
+  parameter.info.options.emplace_back(kAutomatic);
+  parameter.info.option_labels.emplace_back("Automatic");
+  if (document.automatic.enabled) parameter.info.default_value = std::string(kAutomatic);
+  parameter.assign = [](Document& d, const Value& v) {
+    const auto& name = std::get<std::string>(v);
+    const bool enabled = name == kAutomatic;
+    if (!enabled) d.method.integrator = name;
+    if (enabled == d.automatic.enabled) return;
+    d.automatic.enabled = enabled;
+    d.automatic.reason.clear();
   };
   return parameter;
 }
@@ -82,8 +103,7 @@ DocumentParameters render_parameters(const Document& document) {
   const MethodSettings& method = document.method;
   constexpr int kLargestSeed = 2'000'000'000;
   DocumentParameters list;
-  list.push_back(registry_choice("render.integrator", "Integrator", "Light transport algorithm",
-                                 integrator::integrator_infos(), method.integrator, &MethodSettings::integrator));
+  list.push_back(integrator_choice(document));
   list.push_back(registry_choice("render.sampler", "Sampler", "Source of the sample points", sampler_infos(),
                                  method.sampler, &MethodSettings::sampler));
   list.push_back(adaptive_choice(method));
@@ -102,6 +122,29 @@ DocumentParameters render_parameters(const Document& document) {
                                             "Seed of the random numbers; another seed gives independent noise"},
                                 [](Document& d, int v) { d.seed = static_cast<uint64_t>(v); }));
   add_limits(list, document.limits);
+  return list;
+}
+
+DocumentParameters automatic_parameters(const Document& document) {
+  const AutomaticMethod& automatic = document.automatic;
+  DocumentParameters list;
+  list.push_back(make_parameter(
+      "auto",
+      Choice<AllowedIntegrators>{
+          "allow", "Allowed integrators", automatic.allow,
+          "Integrators that the automatic choice may use. Unbiased: the expected image is correct at any number of "
+          "samples. Consistent: it is correct in the limit of many samples. Anything: it may stay wrong"},
+      [](Document& d, AllowedIntegrators v) { d.automatic.allow = v; }));
+  list.push_back(make_parameter(
+      "auto",
+      Choice<film::ErrorMeasure>{
+          "error", "Error to minimise", automatic.error,
+          "Measure by which the automatic choice compares integrators. RMSE: bright pixels decide. Relative: relative "
+          "to the true value. Displayed: after exposure, tone mapping and sRGB encoding"},
+      [](Document& d, film::ErrorMeasure v) { d.automatic.error = v; }));
+  if (!automatic.enabled)
+    for (DocumentParameter& parameter : list)
+      parameter.inactive_reason = "the integrator is not chosen automatically: set render.integrator to auto";
   return list;
 }
 

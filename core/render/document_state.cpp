@@ -76,6 +76,23 @@ Result<Document> with_settings(Document document, const json& settings, bool sel
   return document;
 }
 
+// The method that was chosen automatically, and why.
+json automatic_json(const Document& document) {
+  return {{"integrator", document.method.integrator}, {"reason", document.automatic.reason}};
+}
+
+// The method of a state that was chosen automatically is used again. Nothing if the state has none.
+Result<void> restore_automatic(Document& document, const json& state, const std::string& source) {
+  if (!document.automatic.enabled || !state.contains("automatic")) return {};
+  const json& automatic = state["automatic"];
+  if (!automatic.is_object() || text_member(automatic, "reason").empty()) return invalid_state(source);
+  auto chosen = with(document, "render.integrator", Value(text_member(automatic, "integrator")));
+  if (!chosen) return input_error(source + ": " + chosen.error().message);
+  document.method.integrator = chosen->method.integrator;
+  document.automatic.reason = text_member(automatic, "reason");
+  return {};
+}
+
 // In version 1 a scene without lights had a uniform environment, and no tone curve unless the state names one.
 void restore_version_1(Document& document) {
   if (!document.lit_by_default) return;
@@ -100,6 +117,7 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   json state{
       {"program", "etendue"},           {"version", kVersion}, {"scene", reference_from(folder, document.scene_name)},
       {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
+  if (document.automatic.enabled && !document.automatic.is_pending()) state["automatic"] = automatic_json(document);
   // The environment map of the scene's own file is loaded with the scene.
   const std::string& file = document.scene->environment.file;
   if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
@@ -123,6 +141,7 @@ Result<Document> document_from_state(const std::string& text, const std::string&
     document = with_settings(std::move(*document), state["settings"], selecting, source);
     if (!document) return document;
   }
+  if (auto ok = restore_automatic(*document, state, source); !ok) return ok.error();
   if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
     *samples = state["samples"].get<uint32_t>();
   return document;

@@ -7,6 +7,7 @@
 #include "advisor/declared_paths.h"
 #include "advisor/light_kinds.h"
 #include "advisor/reference_integrator.h"
+#include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::advisor {
@@ -20,13 +21,13 @@ using transport::PathExpression;
 using Clock = std::chrono::steady_clock;
 
 // The distinct sets of paths that integrators declare. Sets of paths from point lights are included if the scene has
-// such lights and the set lacks some of the paths that the reference integrator finds; no others appear in a table.
-std::vector<Automaton> declared_sets(bool point_lights) {
+// such lights and the set lacks some of the paths that the reference method finds; no others appear in a table.
+std::vector<Automaton> declared_sets(bool point_lights, const render::MethodSettings& reference) {
   std::vector<Automaton> sets;
   const auto add = [&](const Automaton& set) {
     if (std::ranges::find(sets, set) == sets.end()) sets.push_back(set);
   };
-  const Automaton measurable = declared_paths(render::MethodSettings()).point_paths;
+  const Automaton measurable = declared_paths(reference).point_paths;
   for (const auto& info : integrator::integrator_infos()) {
     const DeclaredPaths declared = declared_paths(info);
     add(declared.paths);
@@ -35,8 +36,9 @@ std::vector<Automaton> declared_sets(bool point_lights) {
   return sets;
 }
 
-render::Document small_image(const render::Document& document, const TableOptions& options) {
-  render::Document d = reduced_by(with_reference_integrator(document), options.divisor, options.min_side);
+render::Document small_image(render::Session& session, const render::Document& document, const TableOptions& options) {
+  const auto scene = scene::compile(document.scene, document.camera, session.scene());
+  render::Document d = reduced_by(with_reference_integrator(document, *scene), options.divisor, options.min_side);
   d.limits.samples = std::max(film::kHalfBuffers, options.samples);
   return d;
 }
@@ -67,13 +69,15 @@ class TableBuilder {
         options_(options),
         progress_(progress),
         publish_(publish),
-        small_(small_image(document, options)),
+        small_(small_image(session, document, options)),
         volumes_(scene::has_scattering_media(*document.scene)),
         only_(common(requested_paths(document), only)),
-        split_sets_(declared_sets(has_point_lights(*small_.scene))) {
+        split_sets_(declared_sets(has_point_lights(*small_.scene), small_.method)) {
     split_sets_.insert(split_sets_.end(), options.split_sets.begin(), options.split_sets.end());
     table_.paths = only_ == space() ? "" : expression_of(only_, volumes_);
     table_.volumes = volumes_;
+    table_.reference = small_.method;
+    table_.reference.paths.clear();
     table_.width = small_.width;
     table_.height = small_.height;
     table_.samples = small_.limits.samples;
@@ -240,7 +244,7 @@ class TableBuilder {
 
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
                                         const TableOptions& options, const bench::Progress& progress) {
-  return measure_energy(session, small_image(document, options), [&] { return progress(0, "all paths"); });
+  return measure_energy(session, small_image(session, document, options), [&] { return progress(0, "all paths"); });
 }
 
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,

@@ -26,6 +26,7 @@ struct ClassRow {
 
 struct ClassTable {
   std::string paths;  // the union of all rows; empty if all paths are counted
+  render::MethodSettings reference;  // the method that measured the table; other paths do not appear in it
   int width = 0, height = 0;
   uint32_t samples = 0;
   ClassRow total;

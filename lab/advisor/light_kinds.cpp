@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/compiled_scene.h"
+
 namespace etendue::advisor {
 
 bool has_point_lights(const scene::Scene& scene) {
@@ -29,6 +31,11 @@ scene::Scene with_point_lights_only(const scene::Scene& scene) {
     m.specular = 0;
   }
   return lit;
+}
+
+bool has_specular_surfaces(const scene::CompiledScene& scene) {
+  return std::ranges::any_of(
+      scene.instances(), [&](const auto& instance) { return scene.materials()[instance.material].has_delta_lobes; });
 }
 
 }  // namespace etendue::advisor

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "advisor/light_kinds.h"
+#include "advisor/reference_integrator.h"
 #include "advisor/report_numbers.h"
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
@@ -59,7 +60,7 @@ std::string name_of(const SurfaceMaterial& m) {
 MissingPaths missing_paths(const DeclaredPaths& declared, const ClassTable& table) {
   MissingPaths missing;
   const Automaton& space = PathExpression::all_of(table.volumes).automaton();
-  const DeclaredPaths found = declared_paths(render::MethodSettings()),
+  const DeclaredPaths found = declared_paths(table.reference),
                       measurable{common(found.paths, space), common(found.point_paths, space)};
   const double total = table.total.energy.mean;
   std::vector<ClassEnergy> energies;
@@ -88,7 +89,8 @@ MeasuredMissingPaths measure_missing_paths(render::Session& session, const rende
   const Automaton missing = without(requested, declared.paths);
   Automaton missing_from_points;  // declared, but not for lights without extent
   if (has_point_lights(*document.scene)) {
-    const Automaton measurable = common(declared_paths(render::MethodSettings()).point_paths, requested);
+    const render::MethodSettings reference = with_reference_integrator(document, *scene).method;
+    const Automaton measurable = common(declared_paths(reference).point_paths, requested);
     missing_from_points = without(common(declared.paths, measurable), declared.point_paths);
   }
   if (missing.empty() && missing_from_points.empty()) return measured;

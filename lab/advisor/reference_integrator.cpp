@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "advisor/light_kinds.h"
+#include "render/incompatibility.h"
+
 namespace etendue::advisor {
 namespace {
 
@@ -20,8 +23,17 @@ render::Document with_reference_integrator(const render::Document& document) {
   render::Document d = document;
   d.method = {};
   d.method.paths = document.method.paths;
+  d.method.color = document.method.color;
   d.limits = {};
   return d;
+}
+
+render::Document with_reference_integrator(const render::Document& document, const scene::CompiledScene& scene) {
+  render::Document usual = with_reference_integrator(document);
+  if (!has_point_lights(*document.scene) || !has_specular_surfaces(scene)) return usual;
+  render::Document bidirectional = usual;
+  bidirectional.method.integrator = "bdpt";
+  return render::incompatibility(bidirectional, scene).empty() ? bidirectional : usual;
 }
 
 render::Document reduced_by(const render::Document& document, int divisor, int min_side) {

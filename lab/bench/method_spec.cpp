@@ -70,6 +70,8 @@ struct Assignment {
 Result<std::vector<Assignment>> assignments_of(const std::string& method) {
   const auto parts = split(method, ':');
   if (parts[0].empty()) return method_error(method, "the integrator is missing; give integrator[:name=value]...");
+  if (parts[0] == render::kAutomatic)
+    return method_error(method, "the automatic choice is not a method; give the integrators to compare");
   std::vector<Assignment> list{{"render.integrator", parts[0]}};
   for (size_t i = 1; i < parts.size(); ++i) {
     const size_t equals = parts[i].find('=');

@@ -80,6 +80,37 @@ TEST_F(Integrators, MissingPathsAreMeasuredAutomatically) {
   EXPECT_TRUE(state("a.json")["paths"]["rows"].empty());
 }
 
+// The first image is rendered with the present integrator. The choice is one step of undo and is not repeated after it.
+TEST_F(Integrators, AutomaticChoosesAnIntegratorAndSaysSo) {
+  const auto steps = joined(
+      small(), steps_of({click("tab.render"), set("render.integrator", "auto"), file_step("state", path("a.json")),
+                         wait_for("automatic"), file_step("state", path("b.json")),
+                         file_step("screenshot", path("b.png")), key("ctrl+z"), {{"do", "wait"}, {"spp", 1}},
+                         file_step("state", path("c.json")), set("render.integrator", "path"),
+                         file_step("state", path("d.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_EQ(state("a.json")["automatic"]["reason"], "");
+  EXPECT_EQ(state("a.json")["automatic"]["integrator"], "path");
+  const json chosen = state("b.json");
+  EXPECT_EQ(chosen["parameters"]["render.integrator"], "auto");
+  const std::string integrator = chosen["automatic"]["integrator"], reason = chosen["automatic"]["reason"];
+  EXPECT_NE(integrator::find_integrator(integrator), nullptr) << integrator;
+  EXPECT_FALSE(reason.empty());
+  EXPECT_NE(chosen["undo"].dump().find("Automatic integrator"), std::string::npos) << chosen["undo"];
+  EXPECT_EQ(state("c.json")["automatic"]["reason"], "");
+  EXPECT_TRUE(state("d.json")["automatic"].is_null());
+}
+
+TEST_F(Integrators, AutomaticCanBeRepeated) {
+  const auto steps = joined(small(), steps_of({click("tab.render"), set("render.integrator", "auto"),
+                                               set("auto.allow", "consistent"), wait_for("automatic"),
+                                               click("integrator.choose-again"), file_step("state", path("a.json")),
+                                               wait_for("automatic"), file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_EQ(state("a.json")["automatic"]["reason"], "");
+  EXPECT_NE(state("b.json")["automatic"]["reason"], "");
+}
+
 TEST_F(Integrators, DisabledTechniquesAreEditedAsTextAndUndone) {
   const auto steps = joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0,*"),
                                                file_step("state", path("a.json")), key("ctrl+z"),

@@ -124,6 +124,10 @@ void draw_parts(AppState& state, StatusLine& line) {
   const render::Status status = state.session->status();
   const uint32_t limit = state.document().limits.samples;
   line.add(phase_text(state, status), "What the renderer is doing");
+  if (const render::AutomaticMethod& automatic = state.document().automatic; automatic.enabled)
+    line.add("auto: " + state.document().method.integrator,
+             automatic.is_pending() ? "The integrator is chosen automatically when the image has rested for a moment"
+                                    : ("Chosen automatically: " + automatic.reason).c_str());
   line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
            "Samples per pixel");
   line.add(clock_text(status.seconds), "Rendering time of this image");

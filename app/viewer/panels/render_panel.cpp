@@ -12,7 +12,9 @@
 #include "viewer/panels/panel.h"
 #include "viewer/panels/recommendation_section.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
+#include "viewer/tasks/automatic_task.h"
 #include "viewer/tasks/exclusive_task.h"
 #include "viewer/tasks/missing_paths_task.h"
 #include "viewer/tasks/path_class_task.h"
@@ -74,7 +76,18 @@ class RenderPanel final : public Panel {
 
   std::vector<ParameterInfo> parameters() const override { return recommendation_.parameters(); }
   std::vector<ItemInfo> items() const override { return recommendation_.items(); }
-  void add_actions(ActionList& actions) override { recommendation_.add_actions(actions); }
+  void add_actions(ActionList& actions) override {
+    recommendation_.add_actions(actions);
+    actions.add({.name = "integrator.choose-again",
+                 .menu = "Integrator",
+                 .label = "Choose again",
+                 .tooltip = "Compares the integrators for the present view and changes to the best one",
+                 .run = [this](AppState& state) { automatic_.repeat(state.task_context); },
+                 .enabled =
+                     [this](const AppState& state) {
+                       return state.has_document() && state.document().automatic.enabled && !automatic_.running();
+                     }});
+  }
 
   std::vector<WaitCondition> wait_conditions() override {
     const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
@@ -84,11 +97,21 @@ class RenderPanel final : public Panel {
                     "click tab.render first"};
       return {.done = missing_paths(state) != nullptr};
     };
-    return {recommendation_.wait_condition(), {.name = "misses", .check = check}};
+    const auto check_automatic = [](AppState& state, std::optional<uint32_t>) -> StepStatus {
+      if (!state.document().automatic.enabled)
+        return {.error = "the integrator is not chosen automatically; set render.integrator to auto first"};
+      return {.done = !state.document().automatic.is_pending()};
+    };
+    return {recommendation_.wait_condition(), {.name = "misses", .check = check}, {.name = "automatic", .check = check_automatic}};
   }
 
   void report(AppState& state, nlohmann::json& json) override {
     json["advice"] = recommendation_.report(state);
+    json["automatic"] = nullptr;
+    if (state.has_document() && state.document().automatic.enabled)
+      json["automatic"] = {{"integrator", state.document().method.integrator},
+                           {"reason", state.document().automatic.reason},
+                           {"running", automatic_.running()}};
     json["misses"] = nullptr;
     if (const auto* missing = missing_paths(state)) json["misses"] = missing->share;
   }
@@ -98,19 +121,20 @@ class RenderPanel final : public Panel {
     // The integrator "light" has the name of the section of the Light panel's own parameters.
     const bool is_method = (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
                            render::get(state.document(), name);
-    return is_method || section == "render" || section == "film" || section == "model" ||
+    return is_method || section == "render" || section == "auto" || section == "film" || section == "model" ||
            Panel::reveal_parameter(state, name);
   }
 
   void update(AppState& state) override {
     recommendation_.task().update(state.task_context);
+    automatic_.update(state.task_context);
     const PathClassTask& path_classes = *state.tasks.path_classes;
     const bool is_known = state.has_document() && path_classes.is_current(state.document());
     const bool is_busy = state.tasks.exclusive->running() || path_classes.running();
     missing_paths_.update(state.task_context, state.is_visible(*this) && !is_busy && !is_known);
   }
 
-  std::vector<Task*> tasks() override { return {&recommendation_.task(), &missing_paths_}; }
+  std::vector<Task*> tasks() override { return {&recommendation_.task(), &automatic_, &missing_paths_}; }
 
  private:
   // What the integrator misses of the current view; null while that is unknown.
@@ -123,6 +147,7 @@ class RenderPanel final : public Panel {
 
   void draw_method(AppState& state) {
     section_widgets_for(state, "render", {"integrator"});
+    if (state.document().automatic.enabled) draw_automatic(state);
     // The widgets may replace the document, so the names are read after each of them.
     if (const auto* info = integrator::find_integrator(state.document().method.integrator)) {
       draw_integrator_description(state, *info);
@@ -136,6 +161,20 @@ class RenderPanel final : public Panel {
       section_widgets(state, info->name);
     }
     section_widgets_except(state, "render", {"integrator", "sampler", "samples", "seconds", "error", "error-measure"});
+  }
+
+  // The settings of the automatic choice, its result and its reason.
+  void draw_automatic(AppState& state) {
+    section_widgets(state, "auto");
+    const render::AutomaticMethod& automatic = state.document().automatic;
+    if (automatic_.running())
+      note(state.ui, formatted("Comparing integrators, %.0f %%", 100 * automatic_.progress()));
+    else if (automatic.is_pending())
+      note(state.ui, "The integrator is chosen when the image has rested for a moment. Until then, it is rendered with " +
+                         integrator_label(state.document().method.integrator) + ".");
+    else
+      note(state.ui, "Chosen: " + integrator_label(state.document().method.integrator) + ". " + automatic.reason + ".");
+    action_button(state, "integrator.choose-again");
   }
 
   void draw_integrator_description(AppState& state, const integrator::IntegratorInfo& info) {
@@ -172,6 +211,7 @@ class RenderPanel final : public Panel {
   }
 
   RecommendationSection recommendation_;
+  AutomaticTask automatic_;
   MissingPathsTask missing_paths_;
 };
 

@@ -161,10 +161,15 @@ TEST(Declared, ADepthLimitRemovesPaths) {
 TEST(MissingPaths, NoneForACompleteIntegrator) {
   const ClassTable table = table_of(glossy_scene_under(true, true, true, 16));
   const MissingPaths none =
-      advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
+      advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("bdpt")), table);
   EXPECT_TRUE(none.none());
   EXPECT_EQ(none.share, 0);
   EXPECT_EQ(advisor::missing_paths_text(none), "misses no path class with measurable energy");
+  // Path tracing does not find caustics of point lights.
+  const MissingPaths caustics =
+      advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
+  EXPECT_FALSE(caustics.none());
+  for (const auto& missing : caustics.classes) EXPECT_TRUE(missing.from_point_lights) << missing.paths;
 }
 
 // The missing energy and error equal those of a rendering without these paths.

@@ -1,0 +1,102 @@
+#include "advisor/allowed_methods.h"
+
+#include <algorithm>
+
+#include "advisor/declared_paths.h"
+#include "advisor/light_kinds.h"
+#include "advisor/reference_integrator.h"
+#include "render/incompatibility.h"
+
+namespace etendue::advisor {
+namespace {
+
+using integrator::Bias;
+using transport::Automaton;
+using transport::PathExpression;
+
+bool is_allowed(Bias bias, render::AllowedIntegrators allowed) {
+  using enum render::AllowedIntegrators;
+  return allowed == anything || bias == Bias::unbiased || (allowed == consistent && bias == Bias::consistent);
+}
+
+// The paths that the document requests and that can exist: without specular lobes, no vertex is specular.
+Automaton possible_paths(const render::Document& document, const scene::CompiledScene& scene) {
+  const Automaton requested = requested_paths(document);
+  if (has_specular_surfaces(scene)) return requested;
+  return common(requested, PathExpression::parse_paths("E(D|G|V)*L")->automaton());
+}
+
+// The value of "max-depth" of a method, if its integrator has this parameter.
+const Value* max_depth_of(const render::MethodSettings& method) {
+  for (const auto& [name, value] : method.settings)
+    if (name == method.integrator + ".max-depth") return &value;
+  const auto* info = find_parameter(integrator::find_integrator(method.integrator)->parameters, "max-depth");
+  return info ? &info->default_value : nullptr;
+}
+
+render::MethodSettings method_with(const std::string& integrator, const render::Document& document) {
+  render::Document d = document;
+  d.method.integrator = integrator;
+  const Value* depth = max_depth_of(document.method);
+  if (depth && max_depth_of(d.method))
+    if (auto limited = render::with(d, integrator + ".max-depth", *depth)) d = std::move(*limited);
+  if (!render::adaptive_incompatibility(integrator).empty()) d.method.adaptive = render::Adaptive::off;
+  return d.method;
+}
+
+class Filter {
+ public:
+  Filter(const render::Document& document, const scene::CompiledScene& scene)
+      : document_(document), scene_(scene), possible_(possible_paths(document, scene)) {
+    // The reference integrator has the same limit on the path depth.
+    const render::MethodSettings reference =
+        method_with(with_reference_integrator(document, scene).method.integrator, document);
+    needed_ = common(possible_, declared_paths(reference).paths);
+    if (has_point_lights(*document.scene)) needed_of_points_ = common(possible_, declared_paths(reference).point_paths);
+  }
+
+  // The method with the reason why it is not a candidate, if there is one.
+  AllowedMethod examined(const render::MethodSettings& method) const {
+    if (std::string reason = refusal(method); !reason.empty()) return {method, reason};
+    const DeclaredPaths declared = declared_paths(method);
+    if (const Automaton rest = without(needed_, declared.paths); !rest.empty()) return {method, missing_text(rest)};
+    const Automaton rest = without(needed_of_points_, declared.point_paths);
+    return {method, rest.empty() ? "" : missing_text(rest) + " of point lights", rest};
+  }
+
+ private:
+  std::string refusal(const render::MethodSettings& method) const {
+    const integrator::IntegratorInfo& info = *integrator::find_integrator(method.integrator);
+    if (!is_allowed(info.bias, document_.automatic.allow))
+      return "it is " + std::string(integrator::bias_name(info.bias)) + "; auto.allow permits others only";
+    if (selects_techniques(method)) return "its settings disable or isolate sampling techniques";
+    render::Document d = document_;
+    d.method = method;
+    if (std::string reason = render::incompatibility(d, scene_); !reason.empty())
+      return reason.starts_with(info.name + ": ") ? reason.substr(info.name.size() + 2) : reason;
+    return {};
+  }
+
+  std::string missing_text(const Automaton& paths) const {
+    constexpr size_t kLongest = 60;  // characters of an expression that people can read
+    const std::string text = transport::expression_of(paths, volumes_);
+    return text.size() <= kLongest ? "it does not find the paths " + text : "it does not find some of the paths";
+  }
+
+  const render::Document& document_;
+  const scene::CompiledScene& scene_;
+  bool volumes_ = scene::has_scattering_media(*document_.scene);
+  Automaton possible_, needed_, needed_of_points_;
+};
+
+}  // namespace
+
+std::vector<AllowedMethod> allowed_methods(const render::Document& document, const scene::CompiledScene& scene) {
+  const Filter filter(document, scene);
+  std::vector<AllowedMethod> list;
+  for (const auto& info : integrator::integrator_infos())
+    list.push_back(filter.examined(method_with(info.name, document)));
+  return list;
+}
+
+}  // namespace etendue::advisor

@@ -1,0 +1,199 @@
+// The automatic choice of the integrator. Costs are weighted rays or injected, so no test depends on the speed of the
+// machine.
+#include "advisor/method_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "advisor/reference_integrator.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
+#include "statistical/advisor/test_scenes.h"
+
+namespace etendue::test {
+namespace {
+
+using advisor::ConsideredMethod;
+using advisor::MethodChoice;
+
+render::Document automatic(render::Document d, uint32_t samples = 32) {
+  d.automatic.enabled = true;
+  d.limits = {samples, 0, 0};
+  return d;
+}
+
+render::Document builtin(const std::string& name, int size) {
+  return automatic(sized(*render::new_document(name), size));
+}
+
+MethodChoice chosen(const render::Document& d, const advisor::ChoiceOptions& options = {}) {
+  render::Session session({2});
+  auto choice = advisor::choose_method(session, d, never_cancel, options);
+  EXPECT_TRUE(choice) << choice.error().message;
+  return choice ? *choice : MethodChoice{};
+}
+
+const ConsideredMethod& of(const MethodChoice& choice, const std::string& name) {
+  return *std::ranges::find(choice.considered, name, &ConsideredMethod::name);
+}
+
+std::string refusal_of(const render::Document& d, const std::string& name) {
+  const auto scene = scene::compile(d.scene, d.camera, nullptr);
+  for (const auto& m : advisor::allowed_methods(d, *scene))
+    if (m.method.integrator == name) return m.refusal;
+  return "unknown";
+}
+
+// A glass sphere under a small light: light through the glass is hard for camera paths, which hit the light by chance.
+TEST(MethodChoice, CausticsOfSmallLightsAreNotPathTraced) {
+  const MethodChoice choice = chosen(builtin("glass-caustic", 64));
+  EXPECT_EQ(choice.method.integrator, "bdpt");
+  EXPECT_EQ(choice.considered.front().name, "bdpt");
+  EXPECT_NE(choice.reason.find("bdpt has the smallest predicted relative error"), std::string::npos) << choice.reason;
+  EXPECT_FALSE(choice.by_time);
+}
+
+// An object under a uniform sky.
+TEST(MethodChoice, OpenDiffuseScenesAreRenderedFromTheCamera) {
+  scene::Scene scene;
+  add(scene, sphere(1, 16, false), diffuse(Rgb(0.7f)));
+  scene.environment.tint = Rgb(1);
+  const Camera camera = look_at({0, 1, 5}, {0, 0, 0}, {0, 1, 0}, 0.8f);
+  const MethodChoice choice = chosen(automatic(document(std::move(scene), camera, 64, 64)));
+  EXPECT_TRUE(choice.method.integrator.starts_with("path")) << choice.reason;
+}
+
+TEST(MethodChoice, IsReproducibleWithoutATimeLimit) {
+  const auto d = builtin("cornell-spheres", 48);
+  const MethodChoice a = chosen(d), b = chosen(d);
+  EXPECT_EQ(a.method, b.method);
+  EXPECT_EQ(a.reason, b.reason);
+  ASSERT_EQ(a.considered.size(), b.considered.size());
+  for (size_t i = 0; i < a.considered.size(); ++i) {
+    EXPECT_EQ(a.considered[i].name, b.considered[i].name);
+    EXPECT_EQ(a.considered[i].cost, b.considered[i].cost);
+    EXPECT_EQ(a.considered[i].pilot_error, b.considered[i].pilot_error);
+  }
+}
+
+TEST(MethodChoice, AllowedIntegratorsAreRespected) {
+  using enum render::AllowedIntegrators;
+  auto d = builtin("cornell", 16);
+  const auto scene = scene::compile(d.scene, d.camera, nullptr);
+  for (const auto allow : {unbiased, consistent, anything}) {
+    d.automatic.allow = allow;
+    size_t candidates = 0;
+    for (const auto& m : advisor::allowed_methods(d, *scene)) {
+      if (!m.refusal.empty()) continue;
+      ++candidates;
+      const auto bias = integrator::find_integrator(m.method.integrator)->bias;
+      if (allow == unbiased) {
+        EXPECT_EQ(bias, integrator::Bias::unbiased) << m.method.integrator;
+      } else if (allow == consistent) {
+        EXPECT_NE(bias, integrator::Bias::biased) << m.method.integrator;
+      }
+    }
+    EXPECT_GT(candidates, allow == unbiased ? 2u : 4u);
+  }
+}
+
+TEST(MethodChoice, IntegratorsThatRefuseTheSceneAreNotCompared) {
+  const MethodChoice fog = chosen(builtin("fog", 24));
+  EXPECT_NE(of(fog, "appel").refusal.find("scattering media"), std::string::npos);
+  EXPECT_EQ(of(fog, "appel").samples, 0u);
+  EXPECT_TRUE(integrator::find_integrator(fog.method.integrator)->scattering_media);
+  const MethodChoice prism = chosen(builtin("prism", 24));
+  EXPECT_NE(of(prism, "bdpt").refusal.find("spectral"), std::string::npos);
+  EXPECT_TRUE(integrator::find_integrator(prism.method.integrator)->spectral);
+}
+
+TEST(MethodChoice, IncompleteIntegratorsAreRefused) {
+  const auto d = builtin("cornell", 16);
+  EXPECT_NE(refusal_of(d, "appel").find("does not find the paths"), std::string::npos);
+  EXPECT_EQ(refusal_of(d, "light"), "");  // there are no specular surfaces
+  EXPECT_NE(refusal_of(builtin("cornell-spheres", 16), "light").find("does not find the paths"), std::string::npos);
+  // Direct light alone is complete if only that is requested.
+  EXPECT_EQ(refusal_of(changed(d, "film.paths", "E[D|G]L"), "appel"), "");
+}
+
+TEST(MethodChoice, TheMaximumPathDepthIsThatOfTheDocument) {
+  const auto d = changed(builtin("cornell", 16), "path.max-depth", "3");
+  const auto scene = scene::compile(d.scene, d.camera, nullptr);
+  for (const auto& m : advisor::allowed_methods(d, *scene)) {
+    if (!m.refusal.empty()) continue;
+    render::Document other = d;
+    other.method = m.method;
+    EXPECT_EQ(*render::get(other, m.method.integrator + ".max-depth"), Value(int64_t{3})) << m.method.integrator;
+  }
+}
+
+// Path tracing misses caustics of point lights; the reference integrator then is a bidirectional one.
+TEST(MethodChoice, CausticsOfPointLightsNeedABidirectionalIntegrator) {
+  const auto d = automatic(glossy_scene_under(false, false, true, 32));
+  const auto scene = scene::compile(d.scene, d.camera, nullptr);
+  EXPECT_EQ(advisor::with_reference_integrator(d, *scene).method.integrator, "bdpt");
+  EXPECT_NE(refusal_of(d, "path").find("of point lights"), std::string::npos);
+  const auto lit_by_area = automatic(glossy_scene_under(true, false, false, 32));
+  const auto other = scene::compile(lit_by_area.scene, lit_by_area.camera, nullptr);
+  EXPECT_EQ(advisor::with_reference_integrator(lit_by_area, *other).method.integrator, "path");
+  EXPECT_EQ(refusal_of(lit_by_area, "path"), "");
+}
+
+// The costs are injected: the integrator that costs nothing wins.
+TEST(MethodChoice, UsesTheGivenCosts) {
+  for (const std::string cheap : {"path", "bdpt"}) {
+    const auto cost = [&](const render::Status& status, const render::MethodSettings& method) {
+      return static_cast<double>(status.rays) * (method.integrator == cheap ? 1e-3 : 1);
+    };
+    EXPECT_EQ(chosen(builtin("cornell", 24), {.cost = cost}).method.integrator, cheap);
+  }
+}
+
+// A clock that advances by one second at every reading: the budget of a time limit is used up at once.
+TEST(MethodChoice, AShortTimeLimitKeepsTheIntegrator) {
+  auto d = builtin("glass-caustic", 32);
+  d.limits = {0, 1, 0};
+  double now = 0;
+  const MethodChoice choice = chosen(d, {.clock = [&] { return now += 1; }});
+  EXPECT_EQ(choice.method.integrator, "path");
+  EXPECT_NE(choice.reason.find("time limit is too short"), std::string::npos) << choice.reason;
+  EXPECT_TRUE(choice.by_time);
+}
+
+// No integrator renders a scattering medium with wavelengths.
+TEST(MethodChoice, FailsIfNoIntegratorIsAllowed) {
+  auto d = builtin("fog", 16);
+  d.method.color = transport::ColorMode::spectral;
+  render::Session session({2});
+  const auto choice = advisor::choose_method(session, d, never_cancel);
+  ASSERT_FALSE(choice);
+  EXPECT_NE(choice.error().message.find("path: "), std::string::npos) << choice.error().message;
+}
+
+TEST(MethodChoice, IsInterrupted) {
+  render::Session session({2});
+  const auto choice =
+      advisor::choose_method(session, builtin("cornell", 32), [](double, const std::string&) { return false; });
+  ASSERT_TRUE(choice);
+  EXPECT_TRUE(choice->interrupted);
+}
+
+TEST(MethodChoice, IsReportedAsJson) {
+  const auto d = builtin("cornell", 24);
+  const MethodChoice choice = chosen(d);
+  const auto j = nlohmann::json::parse(advisor::choice_json(choice));
+  EXPECT_EQ(j["integrator"], choice.method.integrator);
+  EXPECT_EQ(j["reason"], choice.reason);
+  EXPECT_EQ(j["error"], "relative");
+  EXPECT_EQ(j["cost_unit"], "rays");
+  EXPECT_EQ(j["methods"].size(), integrator::integrator_infos().size());
+  const auto resolved = advisor::with_choice(d, choice);
+  EXPECT_TRUE(resolved.automatic.enabled);
+  EXPECT_FALSE(resolved.automatic.is_pending());
+  EXPECT_EQ(resolved.method, choice.method);
+}
+
+}  // namespace
+}  // namespace etendue::test
