@@ -61,7 +61,12 @@ json integrators_json() {
 
 json samplers_json() {
   json list = json::array();
-  for (const auto& info : sampler_infos()) list.push_back(entry_json(info.name, info.label, info.doc, info.parameters));
+  for (const auto& info : sampler_infos()) {
+    json j = entry_json(info.name, info.label, info.doc, info.parameters);
+    j["progressive"] = info.progressive;
+    j["independent"] = info.independent;
+    list.push_back(j);
+  }
   return list;
 }
 
@@ -227,7 +232,11 @@ std::string registry_names() {
 // A value without quotation marks. Six digits are enough for the parameters, which are single-precision numbers.
 std::string plain_text(const json& value) {
   if (value.is_string()) return value.get<std::string>();
-  return value.is_number_float() ? format_number(value.get<double>(), 6) : value.dump();
+  if (value.is_number_float()) return format_number(value.get<double>(), 6);
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& element : value) text += (text.empty() ? "" : " ") + plain_text(element);
+  return text;
 }
 
 void print_parameter(const json& p) {
@@ -249,8 +258,8 @@ void print_entries(const json& list) {
       std::printf("  %s; paths %s, %s\n  limitations: %s\n", plain_text(e["group"]).c_str(),
                   plain_text(e["paths"]).c_str(), plain_text(e["bias"]).c_str(), plain_text(e["fails"]).c_str());
     if (e.contains("scattering"))
-      std::printf("  scattering %s, absorption %s 1/m; %s, mean cosine %s\n", e["scattering"].dump().c_str(),
-                  e["absorption"].dump().c_str(), plain_text(e["phase_function"]).c_str(),
+      std::printf("  scattering %s, absorption %s 1/m; %s, mean cosine %s\n", plain_text(e["scattering"]).c_str(),
+                  plain_text(e["absorption"]).c_str(), plain_text(e["phase_function"]).c_str(),
                   plain_text(e["mean_cosine"]).c_str());
     if (e.contains("abbe"))
       std::printf("  index of refraction %.5f at 587.56 nm, Abbe number %.2f\n", e["eta_d"].get<double>(),

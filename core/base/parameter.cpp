@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace etendue {
 namespace {
 
@@ -23,9 +25,11 @@ Error invalid_value(const ParameterInfo& info, std::string_view text, const std:
   return usage_error(info.name + ": '" + std::string(text) + "' is not a valid value; expected " + expected);
 }
 
+// Limits of numbers are single-precision values: six digits are enough.
 std::string expected_range(const ParameterInfo& info) {
-  return std::string(info.type == ParameterType::integer ? "an integer" : "a number") + " from " +
-         number_text(info.min) + " to " + number_text(info.max);
+  if (info.type == ParameterType::integer)
+    return "an integer from " + number_text(info.min) + " to " + number_text(info.max);
+  return "a number from " + format_number(info.min, 6) + " to " + format_number(info.max, 6);
 }
 
 template <class T>

@@ -60,7 +60,8 @@ struct IntegratorInfo {
   char shortcut = 0;  // key that selects it in the viewer, '1' to '9'; 0: none
   TechniqueParameters techniques = {};
   bool scattering_media = false;  // renders participating media that scatter; scenes with such media need it
-  bool heterogeneous_media = false;  // the same for media whose density varies and for media that emit light
+  bool heterogeneous_media = false;  // the same for media whose density varies
+  bool emitting_media = false;       // the same for media that emit light
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
   bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry

@@ -5,9 +5,6 @@
 
 namespace etendue {
 
-// In a medium with the same albedo in all channels, the throughput of a channel is proportional to the density of the path
-// in that channel. The product of the densities of all flights is then the mean over the channels of the densities of the
-// whole path, as in hero wavelength sampling with multiple importance sampling [Wilkie et al. 2014].
 FreeFlight::FreeFlight(const Rgb& throughput, float random) {
   const Rgb positive(std::max(throughput.r, 0.0f), std::max(throughput.g, 0.0f), std::max(throughput.b, 0.0f));
   const float sum = positive.r + positive.g + positive.b;
@@ -23,6 +20,9 @@ FreeFlight::FreeFlight(const Rgb& throughput, float random) {
   const float stretched = std::clamp((random - below) / probability_[channel_], 0.0f, kOneMinusEpsilon);
   remaining_ = -std::log1p(-stretched);
 }
+
+FreeFlight::FreeFlight(const Rgb& densities, int channel, float random)
+    : probability_(densities), channel_(channel), remaining_(-std::log1p(-std::min(random, kOneMinusEpsilon))) {}
 
 FreeFlight FreeFlight::without_collision(const Rgb& throughput) {
   FreeFlight flight(throughput, 0);
@@ -66,6 +66,7 @@ std::optional<float> FreeFlight::pass(const HeterogeneousMedium& medium, const R
       if (random.next() * cell.highest < density) {
         extinction_ = medium.extinction;
         scattering_ = medium.scattering;
+        density_ = density;
         collision = from;
         return false;
       }
@@ -76,13 +77,27 @@ std::optional<float> FreeFlight::pass(const HeterogeneousMedium& medium, const R
   return collision;
 }
 
+Rgb FreeFlight::densities() const {
+  const float least = least_depth();
+  Rgb densities(0);
+  for (int c = 0; c < 3; ++c)
+    if (probability_[c] > 0) densities[c] = probability_[c] * std::exp(least - depth_[c]) * extinction_[c];
+  const float sum = densities.r + densities.g + densities.b;
+  return sum > 0 && std::isfinite(sum) ? densities / sum : probability_;
+}
+
 Rgb FreeFlight::weight() const { return weight(extinction_, scattering_); }
 
 // Exponentials are taken relative to the smallest optical depth, because all of them may underflow.
-Rgb FreeFlight::weight(const Rgb& collision_density, const Rgb& value) const {
+float FreeFlight::least_depth() const {
   float least = kInfinity;
   for (int c = 0; c < 3; ++c)
     if (probability_[c] > 0) least = std::min(least, depth_[c]);
+  return least;
+}
+
+Rgb FreeFlight::weight(const Rgb& collision_density, const Rgb& value) const {
+  const float least = least_depth();
   Rgb weight(0);
   float density = 0;
   for (int c = 0; c < 3; ++c) {

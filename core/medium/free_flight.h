@@ -7,6 +7,12 @@
 //   collision at t      density  sum_c P_c sigma_t,c exp(-tau_c(t))      weight  sigma_s exp(-tau(t)) / density
 //   no collision        probability  sum_c P_c exp(-tau_c(d))            weight  exp(-tau(d)) / probability
 //
+// A path may also keep one channel, which is chosen before it starts. P_c is then the relative density of the path so far
+// in channel c, so that the densities of whole paths are combined by the balance heuristic, as in hero wavelength
+// sampling [Wilkie et al. 2014]. In media with the same albedo in all channels, both ways generate the same paths with
+// the same weights, because the throughput of a channel is then proportional to that density. A kept channel can be
+// stratified over the samples of a pixel.
+//
 // Homogeneous media that do not scatter attenuate without collisions, so that a segment through them has no variance.
 //
 // Heterogeneous media are passed by delta tracking [Woodcock et al. 1965] with the majorant of each coarse cell. The
@@ -29,6 +35,9 @@ class FreeFlight {
  public:
   // `throughput` is that of the path at the start; `random` is uniform in [0, 1).
   FreeFlight(const Rgb& throughput, float random);
+  // A flight of a path that keeps one colour channel, which was chosen uniformly. `densities` are the relative densities
+  // of the path so far in the channels; their sum is 1.
+  FreeFlight(const Rgb& densities, int channel, float random);
   // A flight from the same start that passes all media: for points on a segment that is known to have no collision
   // before them.
   static FreeFlight without_collision(const Rgb& throughput);
@@ -47,6 +56,10 @@ class FreeFlight {
   // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this flight,
   // it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques use it.
   float survival() const;
+  // The relative densities of the path up to here in the channels, for a path that keeps its channel.
+  Rgb densities() const;
+  // After `pass` has returned a collision: the scattering coefficient there, 1/m.
+  Rgb scattering_at_collision() const { return scattering_ * density_; }
   // The density per metre of a collision after `distance` metres, if the flight starts in this medium.
   float collision_density(const HomogeneousMedium& medium, float distance) const;
 
@@ -58,6 +71,8 @@ class FreeFlight {
 
  private:
   Rgb weight(const Rgb& collision_density, const Rgb& value) const;
+  // The smallest optical depth of a channel that has a probability.
+  float least_depth() const;
 
   Rgb probability_{0};  // of the channels
   int channel_ = 0;
@@ -66,7 +81,9 @@ class FreeFlight {
   Rgb absorption_{1};    // transmittance of media without scattering
   Rgb emitted_{0};
   // At the collision: extinction and scattering coefficients of the medium, 1/m; 1 without a collision.
+  // In heterogeneous media, those at density 1.
   Rgb extinction_{1}, scattering_{1};
+  float density_ = 1;  // of the medium at the collision
 };
 
 }  // namespace etendue

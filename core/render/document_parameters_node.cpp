@@ -63,8 +63,7 @@ void add_portal(DocumentParameters& list, const std::string& section, size_t ind
   constexpr const char* kLabels[] = {"Portal width", "Portal height"};
   constexpr const char* kDocs[] = {
       "Width along x of a rectangle at this node that guides sampling of the environment; receivers on its -z side "
-      "send "
-      "half of their shadow rays to the environment through it. It never changes the expected image. 0: no portal",
+      "send half of their shadow rays to the environment through it. It never changes the expected image. 0: no portal",
       "Height of the portal along y"};
   for (int c = 0; c < 2; ++c)
     list.push_back(make_parameter(
@@ -79,9 +78,9 @@ DocumentParameters node_parameters(const Document& document, size_t index, const
   DocumentParameters list{make_parameter(
       section, Toggle{"visible", "Visible", n.visible, "Hidden objects are excluded from the scene"},
       [index](Document& d, bool v) { edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; }); })};
-  add_portal(list, section, index, n.portal);
   add_translation(list, section, index, n.transform);
   add_rotation_and_scale(list, section, index, n.transform);
+  add_portal(list, section, index, n.portal);
   return list;
 }
 

@@ -61,8 +61,12 @@ std::string refusal_of(const std::string& integrator, const transport::Model& mo
     return "it does not support subsurface diffusion, which a material uses, so the image will be black: use an "
            "integrator that does (" +
            integrators_with(&integrator::IntegratorInfo::subsurface) + "), or a medium inside the material";
-  if (model.heterogeneous && !info.heterogeneous_media)
-    return unsupported("heterogeneous or emitting media", &integrator::IntegratorInfo::heterogeneous_media);
+  if (scene.solids().any_heterogeneous() && !info.heterogeneous_media)
+    return unsupported("heterogeneous media", &integrator::IntegratorInfo::heterogeneous_media);
+  if (scene.solids().any_medium_emits() && !info.emitting_media)
+    return "it does not support media that emit light, which a medium of the scene does, so the image will be black: "
+           "use an integrator that does (" +
+           integrators_with(&integrator::IntegratorInfo::emitting_media) + ")";
   if (model.scattering && !info.scattering_media)
     return unsupported("scattering media", &integrator::IntegratorInfo::scattering_media);
   return {};

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sampling/owen.h"
+#include "sampling/point_group.h"
 
 namespace etendue {
 namespace {
@@ -81,14 +82,52 @@ double HaltonSampler::radical_inverse(uint32_t sample, uint32_t base) {
   return static_cast<double>(reversed) / static_cast<double>(cells);
 }
 
+double HaltonSampler::radical_inverse(uint32_t sample, std::span<const uint16_t> permutation) {
+  const auto base = static_cast<uint32_t>(permutation.size());
+  uint64_t reversed = 0, cells = 1;
+  while (sample > 0) {
+    reversed = reversed * base + permutation[sample % base];
+    sample /= base;
+    cells *= base;
+  }
+  return static_cast<double>(reversed) / static_cast<double>(cells);
+}
+
+std::vector<uint16_t> HaltonSampler::faure_permutation(uint32_t base) {
+  if (base == 2) return {0, 1};
+  std::vector<uint16_t> result;
+  if (base % 2 == 0) {
+    const auto half = faure_permutation(base / 2);
+    for (const uint16_t add : {0, 1})
+      for (const uint16_t value : half) result.push_back(static_cast<uint16_t>(2 * value + add));
+    return result;
+  }
+  const auto middle = static_cast<uint16_t>((base - 1) / 2);
+  for (const uint16_t value : faure_permutation(base - 1))
+    result.push_back(value < middle ? value : static_cast<uint16_t>(value + 1));
+  result.insert(result.begin() + middle, middle);
+  return result;
+}
+
+float HaltonSampler::rotated_inverse(uint32_t sample, uint32_t dimension, uint32_t seed) const {
+  if (scrambling.value == HaltonScrambling::rotation) return rotated(radical_inverse(sample, kPrimes[dimension]), seed);
+  static const auto permutations = [] {
+    std::array<std::vector<uint16_t>, kDimensions> all;
+    std::ranges::transform(kPrimes, all.begin(), faure_permutation);
+    return all;
+  }();
+  return rotated(radical_inverse(sample, permutations[dimension]), seed);
+}
+
 void HaltonSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
   const uint32_t seed = hash_combine(pixel_seed, block);
-  if (block < kBlocks) {
-    kFills[block](sample, seed, out);
-    return;
-  }
-  // The order of samples is shuffled by a nested permutation, which maps aligned groups of 2^k samples to such groups.
-  kFills[0](owen_scramble(sample, mix_bits(seed)), seed, out);
+  // After the last dimension the order of samples is shuffled by a nested permutation, which maps aligned groups of 2^k
+  // samples to such groups.
+  const bool is_padding = block >= kBlocks;
+  const uint32_t index = is_padding ? owen_scramble(sample, mix_bits(seed)) : sample, used = is_padding ? 0 : block;
+  if (scrambling.value == HaltonScrambling::owen) return kFills[used](index, seed, out);
+  for (uint32_t k = 0; k < kBlockSize; ++k)
+    out[k] = rotated_inverse(index, used * kBlockSize + k, hash_combine(seed, k + 1));
 }
 
 }  // namespace etendue

@@ -3,7 +3,9 @@
 // Dimension j of sample i is the radical inverse of i in the j-th prime number b, with nested scrambling: the
 // permutation of each digit depends on the digits before it, and on the pixel. The permutations are affine,
 // d -> (a d + c) mod b [Matousek 1998]; they are uniform on pairs of digits and therefore give the variance of Owen
-// scrambling, with one hash per digit. Dimension 0 (base 2) uses Owen scrambling.
+// scrambling, with one hash per digit. Dimension 0 (base 2) uses Owen scrambling. For comparison, the parameter
+// `scrambling` selects the fixed permutations of [Faure 1992], or none; a random offset modulo 1 for each pixel and
+// dimension (Cranley-Patterson rotation) then makes the samples unbiased.
 //
 //   Properties    b^k successive samples are stratified into b^k intervals of a dimension. Progressive.
 //   Cost          about twenty times that of `sobol`
@@ -16,6 +18,19 @@
 
 namespace etendue {
 
+enum class HaltonScrambling { owen, faure, rotation };
+
+}  // namespace etendue
+
+template <>
+struct etendue::Options<etendue::HaltonScrambling> {
+  static constexpr std::array<etendue::Option, 3> kOptions{{{"owen", "Nested (Owen)"},
+                                                            {"faure", "Faure permutations, rotation"},
+                                                            {"rotation", "Rotation (Cranley-Patterson)"}}};
+};
+
+namespace etendue {
+
 class HaltonSampler final : public Sampler {
  public:
   static constexpr SamplerDescription kDescription{
@@ -24,12 +39,21 @@ class HaltonSampler final : public Sampler {
       .doc = "Radical inverses in prime bases with scrambled digits. Weak in high dimensions.",
   };
   static constexpr uint32_t kDimensions = 64;
-  auto parameters() { return std::tie(); }
+  Choice<HaltonScrambling> scrambling{"scrambling", "Scrambling", HaltonScrambling::owen,
+                                      "Randomisation of the digits of the sequence"};
+  auto parameters() { return std::tie(scrambling); }
 
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
 
   // The radical inverse without scrambling: the digits of `sample` in this base, mirrored at the radix point.
   static double radical_inverse(uint32_t sample, uint32_t base);
+  // The same with the digits permuted: `permutation` has as many elements as the base, and its first one is 0.
+  static double radical_inverse(uint32_t sample, std::span<const uint16_t> permutation);
+  // The permutation of the digits of a base in [Faure 1992; Lang, def. 7.12].
+  static std::vector<uint16_t> faure_permutation(uint32_t base);
+
+ private:
+  float rotated_inverse(uint32_t sample, uint32_t dimension, uint32_t seed) const;
 };
 
 }  // namespace etendue

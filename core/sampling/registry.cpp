@@ -2,6 +2,16 @@
 #include <functional>
 
 #include "sampling/halton.h"
+#include "sampling/point_sets/faure.h"
+#include "sampling/point_sets/hammersley.h"
+#include "sampling/point_sets/hexagonal_grid.h"
+#include "sampling/point_sets/latin_hypercube.h"
+#include "sampling/point_sets/lattice.h"
+#include "sampling/point_sets/niederreiter.h"
+#include "sampling/point_sets/orthogonal_array.h"
+#include "sampling/point_sets/poisson_disk.h"
+#include "sampling/point_sets/regular_grid.h"
+#include "sampling/point_sets/zaremba.h"
 #include "sampling/random.h"
 #include "sampling/sobol.h"
 #include "sampling/stratified.h"
@@ -24,6 +34,8 @@ Entry entry() {
                .doc = description.doc,
                .parameters = describe_all(defaults.parameters()),
                .independent = description.independent,
+               .progressive = description.progressive,
+               .for_study = description.for_study,
                .file = description.file},
       .make =
           [](const std::vector<Setting>& settings) {
@@ -37,10 +49,11 @@ Entry entry() {
 // One line per sampler; the first one is the default.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<SobolSampler>(),
-      entry<HaltonSampler>(),
-      entry<StratifiedSampler>(),
-      entry<RandomSampler>(),
+      entry<SobolSampler>(),          entry<HaltonSampler>(),          entry<StratifiedSampler>(),
+      entry<RandomSampler>(),         entry<NiederreiterSampler>(),    entry<FaureSampler>(),
+      entry<LatticeSampler>(),        entry<ZarembaSampler>(),         entry<HammersleySampler>(),
+      entry<LatinHypercubeSampler>(), entry<OrthogonalArraySampler>(), entry<PoissonDiskSampler>(),
+      entry<RegularGridSampler>(),    entry<HexagonalGridSampler>(),
   };
   return all;
 }

@@ -5,7 +5,7 @@
 // preserves the structure of low-discrepancy sequences. Markov chains in primary sample space use the same interface
 // (primary_sample_sampler.h).
 //
-// To add a sampler, write a class like those in sobol.h or stratified.h and add it to the list in registry.cpp.
+// To add a sampler, write a class like those in sobol.h or point_sets/lattice.h and add it to the list in registry.cpp.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -67,6 +67,8 @@ struct SamplerDescription {
   const char* label;
   const char* doc;           // its properties and limitations
   bool independent = false;  // its samples are statistically independent
+  bool progressive = true;   // any number of samples is distributed evenly; false: whole groups of samples are
+  bool for_study = false;    // for comparison: never chosen automatically
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();
 };
@@ -75,7 +77,7 @@ struct SamplerDescription {
 struct SamplerInfo {
   std::string name, label, doc;
   std::vector<ParameterInfo> parameters;
-  bool independent = false;
+  bool independent = false, progressive = true, for_study = false;
   const char* file;
 };
 

@@ -17,6 +17,7 @@ class StratifiedSampler final : public Sampler {
       .name = "stratified",
       .label = "Stratified",
       .doc = "Jittered grids in random order. Better than random within a group of samples.",
+      .progressive = false,
   };
   Number<int> side{"side", "Strata per side", 4, {1, 64}, "A group of samples has the square of this number."};
   auto parameters() { return std::tie(side); }

@@ -61,5 +61,5 @@ Model model_for(const scene::CompiledScene& scene, std::span<const std::string> 
 template <>
 struct etendue::Options<etendue::transport::ColorMode> {
   static constexpr std::array<etendue::Option, 3> kOptions{
-      {{"rgb", "RGB"}, {"spectral", "Spectral"}, {"auto", "Automatic (spectral if a material disperses light)"}}};
+      {{"rgb", "RGB"}, {"spectral", "Spectral"}, {"auto", "Automatic"}}};
 };

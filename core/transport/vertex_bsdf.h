@@ -24,6 +24,8 @@ class Bsdf<M> {
   // `phase` must outlive the vertex.
   void set_volume(const PhaseFunction& phase) { phase_ = &phase; }
   bool in_volume() const { return phase_ != nullptr; }
+  // The BSDF of a vertex that does not lie in a volume.
+  const Surface& surface() const { return surface_; }
   // To be called after copying a vertex together with its point.
   void rebind(const Frame& shading, const Vec3& geometric_normal) { surface_.rebind(shading, geometric_normal); }
 
@@ -31,6 +33,11 @@ class Bsdf<M> {
   bool has_component(ScatterType type) const {
     return in_volume() ? type == ScatterType::volume : surface_.has_component(type);
   }
+
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
+    return in_volume() ? Color(phase_->eval(wo, wi)) : surface_.eval(wo, wi, mode);
+  }
+  float cosine(const Vec3& wi) const { return in_volume() ? 1 : surface_.cosine(wi); }
 
   Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi,
                        TransportMode mode = TransportMode::radiance) const {

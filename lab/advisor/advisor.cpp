@@ -20,8 +20,9 @@ double missing_error(const MissingPaths& misses, const ClassTable& table, film::
   if (measure == film::ErrorMeasure::rmse) return misses.rms;
   std::vector<ClassEnergy> energies;
   for (const MissingPathClass& c : misses.classes) energies.push_back(c.energy);
-  return std::sqrt(measure == film::ErrorMeasure::relative ? relative_square_of(energies, table.total.energy)
-                                                           : displayed_square_of(energies, table.total.energy, display));
+  return std::sqrt(measure == film::ErrorMeasure::relative
+                       ? relative_square_of(energies, table.total.energy)
+                       : displayed_square_of(energies, table.total.energy, display));
 }
 
 // Why a method is not suitable; empty if it is.
@@ -102,7 +103,8 @@ std::vector<bench::MethodSpec> candidates(const render::Document& document) {
   std::vector<bench::MethodSpec> list;
   for (const auto& integrator : integrator::integrator_infos())
     for (const auto& sampler : sampler_infos())
-      list.push_back(*bench::parse_method(integrator.name + ":sampler=" + sampler.name, document));
+      if (!sampler.for_study)
+        list.push_back(*bench::parse_method(integrator.name + ":sampler=" + sampler.name, document));
   return list;
 }
 
@@ -149,10 +151,8 @@ Ranking advise(render::Session& session, const render::Document& document, const
   if (request.seconds > 0)
     pilot_seconds = std::min(pilot_seconds, std::max(0.0, request.seconds - ranking.table.seconds) / count);
   if (on_plan) on_plan(suitable.size(), pilot_seconds * count);
-  const PilotPlan plan{.seconds = pilot_seconds,
-                       .target = request.target,
-                       .seed = request.seed,
-                       .measure = request.measure};
+  const PilotPlan plan{
+      .seconds = pilot_seconds, .target = request.target, .seed = request.seed, .measure = request.measure};
   const auto pilots = run_pilots(session, suitable, plan, pilot_progress, update);
   update(pilots);
   ranking.interrupted = pilots.interrupted;

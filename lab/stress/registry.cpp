@@ -2,6 +2,7 @@
 #include "stress/case.h"
 #include "stress/cases/albedo_of_one.h"
 #include "stress/cases/all_scales.h"
+#include "stress/cases/camera_in_a_medium.h"
 #include "stress/cases/camera_inside_glass.h"
 #include "stress/cases/caustic_behind_glass.h"
 #include "stress/cases/caustic_of_a_point_light.h"
@@ -37,6 +38,7 @@
 #include "stress/cases/models_that_make_light.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
+#include "stress/cases/narrow_phase_functions.h"
 #include "stress/cases/nested_glass.h"
 #include "stress/cases/optical_depth.h"
 #include "stress/cases/photons_at_a_shadow.h"
@@ -156,6 +158,7 @@ const std::vector<Case>& cases() {
       kClosedRoomOfAlbedoOne,
       kOpticalDepth,
       kScatteringFurnace,
+      kNarrowPhaseFunctions,
       kHeterogeneousFurnace,
       kPhotonsInAnEstimate,
       kPhotonsTooFew,
@@ -169,6 +172,7 @@ const std::vector<Case>& cases() {
       kCoincidentLights,
       kInvertedNormals,
       kCameraInsideGlass,
+      kCameraInAMedium,
       kNestedGlass,
       kSixteenNestedSolids,
       kTrianglesWithoutArea,

@@ -128,16 +128,17 @@ class ScenePanel final : public Panel {
     if (const auto compiled = state.session->scene()) draw_counts(state.ui, compiled);
     const int selected = state.selection.node;
     const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->nodes.size();
-    const float space_below = has_selection ? ImGui::GetFrameHeightWithSpacing() * 6.5f : 0;
     if (group(state.ui, "Objects", "")) {
-      const float available = ImGui::GetContentRegionAvail().y - space_below;
-      ImGui::BeginChild("##tree", {0, std::max(available, ImGui::GetFrameHeight() * 6)});
+      ImGui::BeginChild("##tree", {0, tree_height(has_selection)});
       const int scroll_to = std::exchange(last_selected_, selected) != selected ? selected : -1;
       for (const int root : scene->roots) draw_node(state, *scene, root, scroll_to);
+      tree_content_height_ = ImGui::GetCursorPosY();
       ImGui::EndChild();
     }
     if (!has_selection) return;
+    const float top = ImGui::GetCursorPosY();
     if (group(state.ui, node_name(*scene, selected).c_str(), "node.")) draw_selected_node(state, *scene, selected);
+    selection_height_ = ImGui::GetCursorPosY() - top;
   }
 
   void report(AppState& state, nlohmann::json& json) override {
@@ -157,6 +158,15 @@ class ScenePanel final : public Panel {
   }
 
  private:
+  // The tree takes the height of its lines, but leaves room for the section of the selected object below. Both heights
+  // are those of the last frame.
+  float tree_height(bool has_selection) const {
+    const float smallest = ImGui::GetFrameHeight() * 6;
+    const float available = ImGui::GetContentRegionAvail().y - (has_selection ? selection_height_ : 0);
+    return has_selection ? std::clamp(tree_content_height_, smallest, std::max(available, smallest))
+                         : std::max(available, smallest);
+  }
+
   void draw_counts(const UiContext& ui, const std::shared_ptr<const scene::CompiledScene>& compiled) {
     if (counted_.lock() != compiled) {
       counted_ = compiled;
@@ -169,6 +179,7 @@ class ScenePanel final : public Panel {
   std::weak_ptr<const scene::CompiledScene> counted_;  // the scene of light_text_
   std::string light_text_;
   int last_selected_ = -1;  // node
+  float tree_content_height_ = 0, selection_height_ = 0;
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .shortcut = '4',
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
+        .emitting_media = true,
         .subsurface = true,
         .spectral = kSpectral,
     };

@@ -38,6 +38,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .shortcut = '3',
         .scattering_media = kScatteringMedia,
         .heterogeneous_media = true,
+        .emitting_media = true,
         .subsurface = true,
         .spectral = kSpectral,
     };

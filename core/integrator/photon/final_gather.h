@@ -2,7 +2,7 @@
 //                                                                                      [Lang, Remark 9.34; Jensen 2001]
 //
 // Gather rays are sampled from the rough lobes and continue by near-specular lobes. They do not count light that they
-// hit.
+// hit. At a collision in a medium they end: direct light is sampled there, the other light comes from volume photons.
 #pragma once
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/shared/camera_paths.h"
@@ -39,11 +39,16 @@ class FinalGather {
     if (caustics_.view.map) add_nearest_photons(paths, caustics_.view, caustics_.nearest, before, selected);
   }
 
+  // Adds the light that the current collisions scatter, except for direct light.
+  void add_volume_photons(PathWavefront& paths, ShallowCollisions<M>& shallow) const {
+    add_nearest_volume_photons(paths, global_.view, global_.nearest, 0, shallow);
+  }
+
   // Adds the indirect light from rough surfaces that the current hits of the camera paths reflect.
   void gather(const RenderContext& context, const TaskContext& task_context, PathWavefront& camera_paths) {
     begin_rays(context, task_context, camera_paths);
     for (int i = 0; i < camera_paths.hit_count(); ++i) {
-      if (!split().has_rough(camera_paths.bsdf(i))) continue;
+      if (camera_paths.in_volume(i) || !split().has_rough(camera_paths.bsdf(i))) continue;
       for (int k = 0; k < rays_; ++k) {
         const auto number = static_cast<uint32_t>(camera_paths.length() * rays_ + k);
         origins_[static_cast<size_t>(paths_.size())] = static_cast<uint8_t>(i);
@@ -134,14 +139,17 @@ class FinalGather {
     bool any = false;
     for (int i = 0; i < paths_.hit_count(); ++i) {
       const float length = glm::distance(paths_.state_at(i).from, paths_.point(i).position);
-      any |= is_near_[static_cast<size_t>(i)] = length < near_;
+      is_near_[static_cast<size_t>(i)] = length < near_ && !paths_.in_volume(i);
+      any |= length < near_ || paths_.in_volume(i);
     }
     const auto is_near = [this](int i) { return is_near_[static_cast<size_t>(i)]; };
     if (any) {
-      add_direct_light_by_lobe(paths_, split(), LitLobes::rough, is_near);
+      add_direct_light_by_lobe(paths_, split(), LitLobes::rough,
+                               [&](int i) { return is_near(i) || paths_.in_volume(i); });
       add_caustics(paths_, before, is_near);
     }
     add_nearest_photons(paths_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
+    add_nearest_volume_photons(paths_, global_.view, global_.nearest, before, NeverShallow());
     const AcceptNearSpecular near_specular{split()};
     sample_bsdf(paths_, 1, TransportMode::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
       return is_near(i) ? AcceptAll()(paths, i, s) : near_specular(paths, i, s);

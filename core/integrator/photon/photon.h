@@ -63,7 +63,8 @@ class Photon {
         packed_(direction << 12 | static_cast<uint32_t>(std::min(length, kMaxLength)) << 6 | state) {}
 
   const Vec3& position() const { return position_; }
-  const Rgb& power() const { return power_; }  // watts
+  const Rgb& power() const { return power_; }  // watts; in volumes: watts times metres (photon_paths.h)
+  void scale_power(float factor) { power_ *= factor; }
   Vec3 normal() const { return unpack_direction(normal_ >> 2, kNormalBits); }
   // Whether the angle between its surface normal and a unit vector is less than 60 degrees.
   bool faces(const Vec3& other) const {

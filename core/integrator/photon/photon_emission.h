@@ -26,12 +26,14 @@ class PhotonEmission {
 
   bool is_ready() const { return is_ready_; }
   const photon::PhotonMap& map() const { return map_; }
+  // The photons at collisions in media; null if none are stored.
+  const photon::PhotonMap* volume_map() const { return plan_.min_volume_length > 0 ? &volume_map_ : nullptr; }
   const PhotonPlan& plan() const { return plan_; }
 
   enum Step : size_t { kTrace, kBuild };
   void add_phases(std::vector<Phase>& phases) const {
     phases.push_back({plan_.caustics ? "tracing caustic photons" : "tracing photons", plan_.tasks()});
-    phases.push_back({"ordering photons", photon::PhotonMap::kPieces});
+    phases.push_back({"ordering photons", plan_.min_volume_length > 0 ? 2 * kPieces : kPieces});
   }
 
   std::optional<uint64_t> run(const RenderContext& context, Step step, int task, const TaskContext& task_context) {
@@ -39,9 +41,9 @@ class PhotonEmission {
     if (done) return 0;
     std::optional<uint64_t> rays = 0;
     if (step == kBuild)
-      map_.build_piece(task);
+      task < kPieces ? map_.build_piece(task) : volume_map_.build_piece(task - kPieces);
     else
-      rays = transport::with_model(*context.model, [&]<class M>(M) {
+      rays = transport::with_scattering_model(*context.model, [&]<class M>(M) {
         return trace_photons<M>(context, sample_, plan_, task, task_context,
                                 photons_by_task_[static_cast<size_t>(task)]);
       });
@@ -53,6 +55,7 @@ class PhotonEmission {
   void finish(Step step) {
     if (step == kBuild) {
       map_.end();
+      volume_map_.end();
       is_ready_ = true;
     } else if (!is_collected_)
       collect();
@@ -60,37 +63,51 @@ class PhotonEmission {
 
   size_t memory() const {
     size_t photons = 0;
-    for (const auto& list : photons_by_task_) photons += list.capacity();
-    return photons * sizeof(photon::Photon) + map_.memory();
+    for (const StoredPhotons& stored : photons_by_task_)
+      photons += stored.surfaces.capacity() + stored.volumes.capacity();
+    return photons * sizeof(photon::Photon) + map_.memory() + volume_map_.memory();
   }
 
  private:
+  static constexpr int kPieces = photon::PhotonMap::kPieces;
+
   void collect() {
-    std::vector<photon::Photon> all = map_.take_memory();
+    begin_map(map_, &StoredPhotons::surfaces);
+    begin_map(volume_map_, &StoredPhotons::volumes);
+    is_collected_ = true;
+  }
+  void begin_map(photon::PhotonMap& map, std::vector<photon::Photon> StoredPhotons::*kind) {
+    std::vector<photon::Photon> all = map.take_memory();
     size_t count = 0;
-    for (const auto& list : photons_by_task_) count += list.size();
+    for (const StoredPhotons& stored : photons_by_task_) count += (stored.*kind).size();
     all.reserve(count);
-    for (auto& list : photons_by_task_) {
+    for (StoredPhotons& stored : photons_by_task_) {
+      std::vector<photon::Photon>& list = stored.*kind;
       all.insert(all.end(), list.begin(), list.end());
       std::vector<photon::Photon>().swap(list);
     }
-    map_.begin(std::move(all));
-    is_collected_ = true;
+    map.begin(std::move(all));
   }
 
   PhotonPlan plan_;
   uint32_t sample_ = 0;
-  std::vector<std::vector<photon::Photon>> photons_by_task_;
+  std::vector<StoredPhotons> photons_by_task_;
   std::vector<char> is_traced_;
-  std::array<char, photon::PhotonMap::kPieces> is_ordered_{};
+  std::array<char, size_t{2} * photon::PhotonMap::kPieces> is_ordered_{};
   bool is_collected_ = false, is_ready_ = false;
-  photon::PhotonMap map_;
+  photon::PhotonMap map_, volume_map_;
 };
 
-// Appends up to `max_count` photons at regular intervals, for display.
+// Appends up to `max_count` photons of a map at regular intervals, for display.
 inline void add_points(const photon::PhotonMap& map, size_t max_count, std::vector<StoredPoint>& points) {
   const size_t stride = std::max<size_t>(1, (map.size() + max_count - 1) / std::max<size_t>(1, max_count));
   for (size_t i = 0; i < map.size(); i += stride) points.push_back({map[i].position(), map[i].power()});
+}
+// The same for both maps of an emission.
+inline void add_points(const PhotonEmission& emission, size_t max_count, std::vector<StoredPoint>& points) {
+  const photon::PhotonMap* volume = emission.volume_map();
+  add_points(emission.map(), volume ? max_count / 2 : max_count, points);
+  if (volume) add_points(*volume, max_count / 2, points);
 }
 
 }  // namespace etendue::integrator

@@ -91,14 +91,15 @@ std::vector<Photon> PhotonMap::take_memory() {
   return std::exchange(tree_, {});
 }
 
-Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
-                                 std::vector<Neighbour>& found) const {
+template <class Selected>
+Neighbourhood PhotonMap::nearest_selected(const Vec3& position, size_t count, float max_distance2,
+                                          const Selected& is_selected, std::vector<Neighbour>& found) const {
   found.clear();
   float radius2 = max_distance2;
   search(
       position,
       [&](const Photon& photon, const Vec3& d, float distance2) {
-        if (!(distance2 < radius2) || !is_on_same_surface(photon, d, distance2, normal)) return radius2;
+        if (!(distance2 < radius2) || !is_selected(photon, d, distance2)) return radius2;
         const Neighbour neighbour{distance2, static_cast<uint32_t>(&photon - &tree_[1])};
         if (found.size() < count) {
           found.push_back(neighbour);
@@ -114,6 +115,22 @@ Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_
   if (found.empty()) return {};
   if (found.size() < count) std::iter_swap(found.begin(), std::max_element(found.begin(), found.end(), nearer));
   return {std::span(found).subspan(1), found.front().distance2};
+}
+
+Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
+                                 std::vector<Neighbour>& found) const {
+  return nearest_selected(
+      position, count, max_distance2,
+      [&](const Photon& photon, const Vec3& d, float distance2) {
+        return is_on_same_surface(photon, d, distance2, normal);
+      },
+      found);
+}
+
+Neighbourhood PhotonMap::nearest_in_ball(const Vec3& position, size_t count, float max_distance2,
+                                         std::vector<Neighbour>& found) const {
+  return nearest_selected(
+      position, count, max_distance2, [](auto&&...) { return true; }, found);
 }
 
 }  // namespace etendue::photon

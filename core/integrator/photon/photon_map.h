@@ -20,7 +20,7 @@ struct Neighbour {
   uint32_t photon;
 };
 
-// The photons nearest to a point, and the disc that they lie in.
+// The photons nearest to a point, and the disc or ball that they lie in.
 struct Neighbourhood {
   std::span<const Neighbour> photons;
   float radius2 = 0;
@@ -53,6 +53,10 @@ class PhotonMap {
   Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                         std::vector<Neighbour>& found) const;
 
+  // The same with all photons, for photons in volumes: the region is a ball.
+  Neighbourhood nearest_in_ball(const Vec3& position, size_t count, float max_distance2,
+                                std::vector<Neighbour>& found) const;
+
   // Calls `visit(photon, distance2)` for every photon within the radius that lies on the same surface.
   template <class Visit>
   void for_each_within(const Vec3& position, const Vec3& normal, float radius2, Visit&& visit) const {
@@ -60,6 +64,17 @@ class PhotonMap {
         position,
         [&](const Photon& photon, const Vec3& d, float distance2) {
           if (distance2 < radius2 && is_on_same_surface(photon, d, distance2, normal)) visit(photon, distance2);
+          return radius2;
+        },
+        radius2);
+  }
+  // The same for every photon within the radius.
+  template <class Visit>
+  void for_each_in_ball(const Vec3& position, float radius2, Visit&& visit) const {
+    search(
+        position,
+        [&](const Photon& photon, const Vec3&, float distance2) {
+          if (distance2 < radius2) visit(photon, distance2);
           return radius2;
         },
         radius2);
@@ -78,6 +93,11 @@ class PhotonMap {
   static bool is_on_same_surface(const Photon& photon, const Vec3& d, float distance2, const Vec3& normal) {
     return sqr(glm::dot(d, normal)) <= 0.25f * distance2 && photon.faces(normal);
   }
+
+  // The nearest photons among those with is_selected(photon, offset, distance2); see `nearest`.
+  template <class Selected>
+  Neighbourhood nearest_selected(const Vec3& position, size_t count, float max_distance2, const Selected& is_selected,
+                                 std::vector<Neighbour>& found) const;
 
   // Calls `visit(photon, offset, distance2)` for every photon in cells that overlap the sphere; it returns the squared
   // radius of the sphere from there on.

@@ -17,17 +17,26 @@
 // that the disc of a lookup would reach around a corner, a, c and d are estimated there as at the first vertex.
 // Near-specular glossy lobes are lit by shadow rays and by BSDF sampling, combined by multiple importance sampling.
 //
+// In scattering media, collisions (V) are vertices like those of rough surfaces. Photons are stored at their collisions
+// (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from the photons in
+// a ball. `direct` takes all of it from the volume map. `classic` samples direct light (VL) and takes the rest from the
+// map, without gather rays; on the segments of camera paths, point lights are sampled by equiangular distances as well.
+// Gather rays that collide are estimated in the same way. Where the ball would reach beyond the boundary at which a camera
+// path has entered the medium, the path continues instead (shallow_collisions.h).
+//
 // Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
 // Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,
 // whatever the sampler, because a resumed rendering must reproduce the same map.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G).*L
-//   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
+//   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces;
+//                 in media it blurs light over the ball
 //   Cost          first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample
 //                 with one lookup each
 //   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
 //                 and leak light. Near-specular surfaces receive point lights only directly.
 #include "integrator/integrator_base.h"
+#include "integrator/photon/direct_light_by_lobe.h"
 #include "integrator/photon/final_gather.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
@@ -57,8 +66,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .label = "Photon mapping",
         .summary = "Photons stored in a first pass, looked up by density estimation from the camera",
         .group = Group::two_pass,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G).*L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V).*L",
         .bias = Bias::biased,
         .cost =
             "first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample "
@@ -69,6 +78,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
             "lights only directly.",
         .accumulation = Accumulation::per_image,
         .shortcut = '8',
+        .scattering_media = true,
+        .heterogeneous_media = true,
     };
   }
 
@@ -94,8 +105,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                       "Photons per lookup",
                       50,
                       {2, 100'000},
-                      "Nearest photons in an estimate. The relative noise is the inverse of its root; raising it "
-                      "widens the disc and the blur",
+                      "Nearest photons in an estimate, on surfaces and in media. The relative noise is the inverse of "
+                      "its root; raising it widens the disc and the blur",
                       "",
                       Scale::logarithmic};
   Number<float> beta{
@@ -155,12 +166,14 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
     return {static_cast<size_t>(std::clamp(count + 0.5, 2.0, 1e7)), sqr(max_distance), kernel};
   }
 
-  PhotonPlan plan(bool caustics) const {
+  // `scattering`: the scene has media that scatter.
+  PhotonPlan plan(bool caustics, bool scattering) const {
     PhotonPlan plan;
     plan.photons = max_depth == 1 ? 0 : caustics ? caustic_photons : photons;
     plan.split = split();
     plan.caustics = caustics;
     plan.min_length = caustics ? 2 : 1;
+    if (scattering && !caustics) plan.min_volume_length = is_direct() ? 1 : 2;
     plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
@@ -179,7 +192,7 @@ class PhotonMapping::Maps final : public RenderState {
       for (const bool caustics : {false, true}) {
         if (caustics && (integrator.is_direct() || context.model->diffuse)) continue;
         auto& emission = emissions_[half][caustics];
-        const PhotonPlan plan = integrator.plan(caustics);
+        const PhotonPlan plan = integrator.plan(caustics, context.model->scattering);
         if (can_reuse) emission = previous->emissions_[half][caustics];
         if (!emission || !(emission->plan() == plan)) emission = std::make_shared<PhotonEmission>(plan, half);
       }
@@ -209,8 +222,8 @@ class PhotonMapping::Maps final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_model(*context_.model,
-                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {
@@ -223,7 +236,7 @@ class PhotonMapping::Maps final : public RenderState {
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
     for (const auto& emission : emissions_[0])
-      if (emission && emission->is_ready()) add_points(emission->map(), kMostPoints / 2, *points);
+      if (emission && emission->is_ready()) add_points(*emission, kMostPoints / 2, *points);
     return points;
   }
 
@@ -234,14 +247,18 @@ class PhotonMapping::Maps final : public RenderState {
   bool same_light(const RenderContext& context) const {
     const transport::Model &a = *context_.model, &b = *context.model;
     return context.seed == context_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.media == b.media &&
-           a.classes == b.classes && (!a.classes || a.paths->automaton() == b.paths->automaton()) &&
-           context.scene->same_light(*context_.scene);
+           a.scattering == b.scattering && a.classes == b.classes &&
+           (!a.classes || a.paths->automaton() == b.paths->automaton()) && context.scene->same_light(*context_.scene);
   }
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
     const auto& emission = emissions_[sample % film::kHalfBuffers][caustics];
-    return {emission ? &emission->map() : nullptr, integrator_.split(), join_ ? &*join_ : nullptr,
-            integrator_.max_depth, task_context.overhead_timer};
+    return {.map = emission ? &emission->map() : nullptr,
+            .split = integrator_.split(),
+            .join = join_ ? &*join_ : nullptr,
+            .max_length = integrator_.max_depth,
+            .watch = task_context.overhead_timer,
+            .volume_map = emission ? emission->volume_map() : nullptr};
   }
 
   template <class M>
@@ -250,6 +267,7 @@ class PhotonMapping::Maps final : public RenderState {
     transport::PathWavefront<M>& paths = thread_wavefront<M>();
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
+    paths.stratify_channels();
     if (integrator_.is_direct()) {
       if (!estimate_direct(view(block.sample, false, task_context), task_context, paths)) return {};
       return collect(paths, order, radiance);
@@ -270,15 +288,21 @@ class PhotonMapping::Maps final : public RenderState {
   bool estimate_direct(const PhotonView& view, const TaskContext& task_context,
                        transport::PathWavefront<M>& paths) const {
     using namespace transport;
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, view.split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
-        add_direct_light_by_lobe(paths, view.split, LitLobes::near_specular);
-        add_nearest_photons(paths, view, integrator_.nearest_of(integrator_.photons, size_), 0);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
+        const NearestPhotons nearest = integrator_.nearest_of(integrator_.photons, size_);
+        add_nearest_volume_photons(paths, view, nearest, 0, shallow);
+        direct_light.add_near_specular();
+        add_nearest_photons(paths, view, nearest, 0);
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
       }
     }
     return true;
@@ -289,16 +313,22 @@ class PhotonMapping::Maps final : public RenderState {
                          transport::PathWavefront<M>& paths) const {
     using namespace transport;
     const LobeSplit split = integrator_.split();
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
+      if (!integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
-        add_direct_light_by_lobe(paths, split, LitLobes::both);
+        gatherer.add_volume_photons(paths, shallow);
+        direct_light.add();
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{split}, shallow});
       }
     }
     return true;

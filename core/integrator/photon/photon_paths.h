@@ -5,11 +5,18 @@
 // (transport/wavefront/lobe_split.h), even if they continue by a near-specular lobe: the estimate multiplies them by
 // the rough lobes as a whole.
 //
+// In scattering media, photons are also stored at collisions [Jensen and Christensen 1998]. A free flight has collisions
+// with the density sigma_t exp(-tau), and the throughput at a collision contains the albedo. The powers of the photons in
+// a region therefore sum to the power that is scattered in it, the integral of sigma_s times the fluence. Stored powers
+// are divided by the scattering coefficient at their collisions, so that the sum is the integral of the fluence, in watts
+// times metres, and photons of a dense medium are not counted in a thin one beside it.
+//
 // The caustics map contains photons that have been scattered by near-specular lobes only, at least once: D_G S_G+ L,
 // from the camera.
 #pragma once
 #include "integrator/photon/photon.h"
 #include "integrator/shared/light_subpaths.h"
+#include "integrator/shared/random_subset.h"
 #include "transport/path_expression/join_weights.h"
 #include "transport/wavefront/lobe_split.h"
 
@@ -20,13 +27,22 @@ struct PhotonPlan {
   int photons = 0;  // emitted by the lights
   transport::LobeSplit split{0.0f};
   bool caustics = false;
-  int min_length = 1;  // number of edges at which photons are stored
-  int max_length = 0;  // 0: no limit
+  int min_length = 1;         // number of edges at which photons are stored on surfaces
+  int min_volume_length = 0;  // the same for collisions in media; 0: none are stored
+  int max_length = 0;         // 0: no limit
+
+  bool stores_on_surfaces(int length) const { return length >= min_length; }
+  bool stores_in_volumes(int length) const { return min_volume_length > 0 && length >= min_volume_length; }
+
   static constexpr int kTask = SampleTable::kPaths;
   int tasks() const { return (photons + kTask - 1) / kTask; }
 
   friend bool operator==(const PhotonPlan&, const PhotonPlan&) = default;
 };
+
+// A path through milk has hundreds of collisions: the mean number of photons that a light path stores in media is at most
+// this.
+inline constexpr size_t kMostVolumePhotonsPerPath = 16;
 
 // Normals and directions of the current hits, packed as in photons.
 struct PackedVertices {
@@ -47,16 +63,31 @@ struct PackedVertices {
   }
 };
 
+// The photons of some light paths.
+struct StoredPhotons {
+  std::vector<photon::Photon> surfaces, volumes;
+};
+
+// Where a photon of a current hit is stored; null if it is not.
+template <class M>
+std::vector<photon::Photon>* list_for(const PhotonPlan& plan, const transport::PathWavefront<M>& paths, int hit,
+                                      StoredPhotons& photons) {
+  if (paths.in_volume(hit)) return plan.stores_in_volumes(paths.length()) ? &photons.volumes : nullptr;
+  const bool is_stored = plan.stores_on_surfaces(paths.length()) && plan.split.has_rough(paths.bsdf(hit));
+  return is_stored ? &photons.surfaces : nullptr;
+}
+
 template <class M>
 void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
-                   std::vector<photon::Photon>& photons) {
+                   StoredPhotons& photons) {
   using namespace transport;
-  if (paths.length() < plan.min_length) return;
+  if (!plan.stores_on_surfaces(paths.length()) && !plan.stores_in_volumes(paths.length())) return;
   if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
   const PackedVertices packed(paths);
   const float share = 1 / static_cast<float>(plan.photons);
   for (int i = 0; i < paths.hit_count(); ++i) {
-    if (!plan.split.has_rough(paths.bsdf(i))) continue;
+    std::vector<photon::Photon>* list = list_for(plan, paths, i, photons);
+    if (!list) continue;
     const int path = paths.path_at(i);
     auto power = paths.state(path).throughput * (subpaths.flux(path) * share);
     uint8_t state = 0;
@@ -66,21 +97,24 @@ void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, tra
       power *= drawn.weight;
       state = drawn.state;
     }
+    if constexpr (M::kScattering)
+      if (paths.in_volume(i)) power = ratio(power, paths.collision(i).scattering);
     const auto hit = static_cast<size_t>(i);
-    photons.emplace_back(paths.point(i).position, packed.directions[hit], packed.normals[hit], power, paths.length(),
-                         state);
+    list->emplace_back(paths.point(i).position, packed.directions[hit], packed.normals[hit], power, paths.length(),
+                       state);
   }
 }
 
 // Traces the photons of one task of a sample. Returns the number of rays, or nothing if it was cancelled.
 template <class M>
 std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sample, const PhotonPlan& plan, int task,
-                                      const TaskContext& task_context, std::vector<photon::Photon>& photons) {
+                                      const TaskContext& task_context, StoredPhotons& photons) {
   using namespace transport;
   static thread_local const auto subpaths = std::make_unique<LightSubpaths<M>>();
-  static thread_local std::vector<photon::Photon> stored;
+  static thread_local StoredPhotons stored;
   PathWavefront<M>& paths = thread_wavefront<M>();
-  stored.clear();
+  stored.surfaces.clear();
+  stored.volumes.clear();
   const int first = task * PhotonPlan::kTask;
   constexpr uint32_t kCausticSeed = 1U << 31;  // makes paths of both maps independent
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCausticSeed : 0);
@@ -98,7 +132,13 @@ std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sam
         sample_bsdf(paths, 1, TransportMode::importance);
     }
   if (paths.cancelled()) return {};
-  photons.assign(stored.begin(), stored.end());
+  photons.surfaces.assign(stored.surfaces.begin(), stored.surfaces.end());
+  if constexpr (M::kScattering)
+    thin_randomly(
+        stored.volumes, kMostVolumePhotonsPerPath * PhotonPlan::kTask,
+        hash_combine(light_path_seed(context.seed, start, sample % film::kHalfBuffers), sample / film::kHalfBuffers),
+        [](photon::Photon& photon, float factor) { photon.scale_power(factor); });
+  photons.volumes.assign(stored.volumes.begin(), stored.volumes.end());
   return paths.rays_traced();
 }
 

@@ -9,9 +9,20 @@
 // falls as r^2, that is as n^(alpha - 1). [Hachisuka and Jensen 2009] store a radius and photon statistics per pixel;
 // here the radius depends on the sample number alone [Knaus and Zwicker 2011], so that samples are independent and
 // their mean is the image. Each half-buffer counts its own samples. The initial radius is a number of pixel footprints
-// at the length of the path.
+// at the length of the path. In media it is the same everywhere: with footprints, which vanish at the camera, collisions
+// close to a camera in a medium would have infinite variance.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G).*L
+// In scattering media, collisions are vertices like those of rough surfaces. Photons are stored at their collisions
+// (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from those in a ball
+// of radius r_i:
+//
+//    L_s  ~  1 / (4/3 pi r_i^3)  sum of p(w_photon, w_o) Phi / sigma_s,       r_i+1^3 / r_i^3 = (i + alpha) / (i + 1)
+//
+// The variance of a sample grows as 1 / r^3, and its bias falls as r^2 [Knaus and Zwicker 2011, sec. 4.2]. Direct light
+// in media is treated as on surfaces: by shadow rays, or by photons (`connect`). Where the ball would reach beyond the
+// boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
+//
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          consistent
 //   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon,
 //                 twice
@@ -19,6 +30,7 @@
 //                 as samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a
 //                 small part of the lit scene receive few photons.
 #include "integrator/integrator_base.h"
+#include "integrator/photon/direct_light_by_lobe.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/photon/photon_paths.h"
@@ -34,8 +46,8 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
         .label = "Progressive photon mapping",
         .summary = "New photons for every sample, looked up within a shrinking radius",
         .group = Group::two_pass,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G).*L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V).*L",
         .bias = Bias::consistent,
         .cost =
             "per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon of a "
@@ -46,6 +58,8 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
             "of the lit scene receive few photons.",
         .accumulation = Accumulation::per_image,
         .shortcut = '9',
+        .scattering_media = true,
+        .heterogeneous_media = true,
     };
   }
 
@@ -65,6 +79,14 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
                        "Lookup radius of the first sample, in pixels at the visible surface",
                        "px",
                        Scale::logarithmic};
+  Number<float> volume_radius{"volume-radius",
+                              "Initial radius in media",
+                              0.03f,
+                              {1e-5f, 1},
+                              "Lookup radius of the first sample at collisions in media, as a fraction of the scene's "
+                              "diameter. Raising it reduces noise and blurs light",
+                              "",
+                              Scale::logarithmic};
   Toggle connect{"connect", "Sample lights directly", true,
                  "Direct light by shadow rays. Off: direct light comes from the photon map"};
   Number<float> roughness{"roughness",
@@ -81,21 +103,26 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
 
   using IntegratorBase::at_max_depth;
 
-  auto parameters() { return std::tie(max_depth, photons, alpha, radius, connect, roughness, roulette_start); }
+  auto parameters() {
+    return std::tie(max_depth, photons, alpha, radius, volume_radius, connect, roughness, roulette_start);
+  }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
-  PhotonPlan plan(int pixels) const {
+  // `scattering`: the scene has media that scatter.
+  PhotonPlan plan(int pixels, bool scattering) const {
     PhotonPlan plan;
     plan.photons = max_depth == 1 ? 0 : photons > 0 ? photons : pixels;
     plan.split = transport::LobeSplit(roughness);
     plan.min_length = connect ? 2 : 1;
+    if (scattering) plan.min_volume_length = plan.min_length;
     plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
 
-  // The squared radius of sample number `index` (from 0) of a half-buffer, relative to the first.
-  double radius2_ratio(uint32_t index) const {
+  // The area of the disc, and the volume of the ball, of sample number `index` (from 0) of a half-buffer, relative to the
+  // first.
+  double region_ratio(uint32_t index) const {
     double ratio = 1;
     for (uint32_t i = 1; i <= index; ++i) ratio *= (i + double{alpha}) / (i + 1.0);
     return ratio;
@@ -122,14 +149,16 @@ class State final : public RenderState {
       : integrator_(integrator),
         context_(context),
         footprint_(*context.camera, context.width, context.height),
-        emission_(integrator.plan(context.width * context.height), 0) {
+        emission_(integrator.plan(context.width * context.height, context.model->scattering), 0) {
     if (context.model->classes) join_.emplace(*context.model->paths);
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ =
-        integrator_.radius * static_cast<float>(std::sqrt(integrator_.radius2_ratio(sample / film::kHalfBuffers)));
+    const double ratio = integrator_.region_ratio(sample / film::kHalfBuffers);
+    radius_ = integrator_.radius * static_cast<float>(std::sqrt(ratio));
+    const float diameter = 2 * context_.scene->bounds().radius();
+    volume_radius_ = integrator_.volume_radius * diameter * static_cast<float>(std::cbrt(ratio));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
@@ -142,15 +171,15 @@ class State final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_model(*context_.model,
-                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override { return emission_.memory(); }
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
-    if (emission_.is_ready()) add_points(emission_.map(), kMostPoints, *points);
+    if (emission_.is_ready()) add_points(emission_, kMostPoints, *points);
     return points;
   }
 
@@ -161,6 +190,7 @@ class State final : public RenderState {
     transport::PathWavefront<M>& paths = thread_wavefront<M>();
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
+    paths.stratify_channels();
     estimate(paths, task_context.overhead_timer);
     return collect(paths, order, radiance);
   }
@@ -168,24 +198,34 @@ class State final : public RenderState {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths, Stopwatch* watch) const {
     using namespace transport;
-    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, integrator_.max_depth,
-                          watch};
+    const PhotonView view{.map = &emission_.map(),
+                          .split = emission_.plan().split,
+                          .join = join_ ? &*join_ : nullptr,
+                          .max_length = integrator_.max_depth,
+                          .watch = watch,
+                          .volume_map = emission_.volume_map()};
     static thread_local std::array<float, PathWavefront<M>::kCapacity> path_lengths;  // metres
     path_lengths.fill(0);
     const auto radius2 = [&](int i) {
       return sqr(radius_ * footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]));
     };
+    ShallowCollisions<M> shallow(paths);
+    DirectLightByLobe<M> direct_light(paths, view.split, shallow);
     while (paths.trace()) {
       add_environment(paths, kLobeSplitHeuristic);
+      if (integrator_.connect && !integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
         add_emission(paths, kLobeSplitHeuristic);
+        shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
         for (int i = 0; i < paths.hit_count(); ++i)
           path_lengths[static_cast<size_t>(paths.path_at(i))] +=
               glm::distance(paths.state_at(i).from, paths.point(i).position);
-        add_direct_light_by_lobe(paths, view.split, integrator_.connect ? LitLobes::both : LitLobes::near_specular);
+        add_volume_photons_within(paths, view, sqr(volume_radius_), shallow);
+        integrator_.connect ? direct_light.add() : direct_light.add_near_specular();
         add_photons_within(paths, view, radius2);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
+                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
       }
     }
   }
@@ -194,7 +234,8 @@ class State final : public RenderState {
   const RenderContext context_;
   const Footprint footprint_;
   PhotonEmission emission_;
-  float radius_ = 0;  // pixels
+  float radius_ = 0;         // pixels
+  float volume_radius_ = 0;  // metres
   std::optional<transport::ClassJoin> join_;
 };
 

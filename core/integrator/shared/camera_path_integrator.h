@@ -44,6 +44,7 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         transport::PathWavefront<M>& paths = thread_wavefront<M>();
         const PixelOrder order(block);
         launch_camera_paths(context_, block, order, task_context, paths);
+        paths.stratify_channels();
         integrator_.template estimate<M>(paths);
         if (task_context.recorder) task_context.recorder->collect(paths.size());
         return collect(paths, order, radiance);

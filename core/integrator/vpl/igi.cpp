@@ -13,16 +13,20 @@
 //    1 = min(1, bound / G)  +  max(0, 1 - bound / G)
 //             lights              BSDF sampling
 //
+// In scattering media, vertices at collisions become virtual lights and are lit by them, with the phase function in place
+// of the BSDF and a cosine of 1. The transmittance of a connection is not part of G.
+//
 // With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
 // Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
 //
-//   Paths         ES*[(D|G)[(D|G).*]]L; point lights: ES*(D|G)[(D|G).*]L
+//   Paths         ES*[(D|G|V)[(D|G|V).*]]L; point lights: ES*(D|G|V)[(D|G|V).*]L
 //   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
 //                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
 //   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
-//                 or with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse
-//                 unless the full BSDF is used.
+//                 or with a bound and without compensation are too dark. Compensation misses light that reaches the next
+//                 vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as
+//                 diffuse unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"
@@ -41,15 +45,18 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
             "Virtual point lights at the vertices of a few light paths, connected to the visible surfaces of all "
             "pixels",
         .group = Group::two_pass,
-        .paths = "ES*[(D|G)[(D|G).*]]L",
-        .point_paths = "ES*(D|G)[(D|G).*]L",
+        .paths = "ES*[(D|G|V)[(D|G|V).*]]L",
+        .point_paths = "ES*(D|G|V)[(D|G|V).*]L",
         .bias = Bias::biased,
         .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
             "Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches, or "
-            "with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse unless "
-            "the full BSDF is used.",
+            "with a bound and without compensation are too dark. Compensation misses light that reaches the next "
+            "vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as "
+            "diffuse unless the full BSDF is used.",
         .accumulation = Accumulation::per_image,
+        .scattering_media = true,
+        .heterogeneous_media = true,
     };
   }
 
@@ -142,7 +149,7 @@ class IgiState final : public RenderState {
     LightSet& lights = lights_for(sample);
     RenderContext context = at_shared_time(context_, sample);
     if (!renews_lights()) context.sampler = &random_;
-    return transport::with_model(*context_.model, [&]<class M>(M) {
+    return transport::with_scattering_model(*context_.model, [&]<class M>(M) {
       return make_virtual_lights<M>(context, lights.sample, plan_, task, task_context,
                                     lights.by_task[static_cast<size_t>(task)]);
     });
@@ -157,8 +164,8 @@ class IgiState final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_model(*context_.model,
-                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {
@@ -191,6 +198,7 @@ class IgiState final : public RenderState {
     transport::PathWavefront<M>& paths = thread_wavefront<M>();
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
+    paths.stratify_channels();
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
     const int interleave_width = integrator_.interleave;
     lighting->begin({lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, integrator_.bound,
@@ -223,7 +231,7 @@ class IgiState final : public RenderState {
         sample_bsdf_and_record(
             paths, integrator_.roulette_start, TransportMode::radiance,
             [&](int i, const auto& s) {
-              departure_cosines[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
+              departure_cosines[static_cast<size_t>(paths.path_at(i))] = geometric_cosine(paths, i, s.wi);
             },
             [](PathWavefront<M>& subpaths, int i, auto& s) { return accept_direction(subpaths, i, s); });
       }

@@ -5,13 +5,19 @@
 
 namespace etendue::integrator {
 
-// The geometry term of a connection; both cosines are to the geometric normals.
+// The geometry term of a connection; both cosines are to the geometric normals, or 1 in media.
 inline float geometry_term(float cosine_a, float cosine_b, float distance2) {
   return std::abs(cosine_a * cosine_b) / distance2;
 }
 // The fraction of a connection that remains if the geometry term is clamped to `bound`; 0: no bound.
 inline float bounded_fraction(float geometry, float bound) {
   return bound > 0 && geometry > bound ? bound / geometry : 1;
+}
+
+// The cosine of a direction from a current hit to the geometric normal; 1 in media.
+template <class M>
+float geometric_cosine(const transport::PathWavefront<M>& paths, int hit, const Vec3& w) {
+  return paths.in_volume(hit) ? 1 : glm::dot(paths.point(hit).ng, w);
 }
 
 template <class M>
@@ -43,7 +49,7 @@ class VirtualLighting {
     find_join_weights_of_hits(paths);
     for (const VirtualLight& light : options_.lights) {
       if (options_.max_length > 0 && paths.length() + 1 + light.length > options_.max_length) continue;
-      if (!options_.lambertian) transport::build_bsdf<M>(light.point, bsdf_);
+      if (!options_.lambertian && !light.phase) transport::build_bsdf<M>(light.point, bsdf_);
       for (int i = 0; i < paths.hit_count(); ++i) {
         const auto path = static_cast<size_t>(paths.path_at(i));
         if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta_lobe() &&
@@ -61,7 +67,7 @@ class VirtualLighting {
   };
   // The components of f |cos| by path letter.
   struct ByLetter {
-    Color diffuse, glossy;
+    Color diffuse, glossy, volume{0};
   };
   struct Empty {};
 
@@ -78,10 +84,11 @@ class VirtualLighting {
     if (!(distance2 > 0)) return;
     const float distance = std::sqrt(distance2);
     const Vec3 w = offset / distance;
-    const float cosine = glm::dot(light.point.ng, w);
+    const float cosine = light.cosine(w);
     const Color scattered = scattering(paths, i, light, w, cosine);
     if (is_black(scattered)) return;
-    const float fraction = bounded_fraction(geometry_term(glm::dot(point.ng, w), cosine, distance2), options_.bound);
+    const float fraction =
+        bounded_fraction(geometry_term(geometric_cosine(paths, i, w), cosine, distance2), options_.bound);
     auto& path = paths.state_at(i);
     Ray ray;
     point.spawn_segment(w, distance, ray);
@@ -98,25 +105,35 @@ class VirtualLighting {
     if constexpr (!M::kClasses) {
       const Color at_point = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
       if (is_black(at_point)) return at_point;
+      if (M::kScattering && light.phase) return at_point * light.phase->eval(light.wo, -w);
       if (!options_.lambertian) return at_point * bsdf_.evaluate(light.wo, -w, TransportMode::importance).f_cos;
       return at_point * (std::max(0.0f, -cosine * light.side) * kInvPi);
     } else {
       const ByLetter at_point = by_letter(paths.bsdf(i), paths.wo(i), w, TransportMode::radiance);
       const auto join = [&](transport::Automaton::State state) {
         const auto& weight = weights_[static_cast<size_t>(i)].by_state[state];
-        return at_point.diffuse * weight.diffuse + at_point.glossy * weight.glossy;
+        return at_point.diffuse * weight.diffuse + at_point.glossy * weight.glossy + at_point.volume * weight.volume;
       };
+      const transport::Automaton& automaton = options_.join->light();
+      if (M::kScattering && light.phase) {
+        const auto after = options_.lambertian ? light.state : automaton.next(light.state, transport::Event::volume);
+        return join(after) * light.phase->eval(light.wo, -w);
+      }
       if (options_.lambertian) return join(light.state) * (std::max(0.0f, -cosine * light.side) * kInvPi);
       const ByLetter at_light = by_letter(bsdf_, light.wo, -w, TransportMode::importance);
-      const transport::Automaton& automaton = options_.join->light();
       return at_light.diffuse * join(automaton.next(light.state, transport::Event::diffuse)) +
              at_light.glossy * join(automaton.next(light.state, transport::Event::glossy));
     }
   }
 
   static ByLetter by_letter(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) {
-    const float cosine = bsdf.cosine(wi);
     ByLetter by_letter{Color(0), Color(0)};
+    if constexpr (M::kScattering)
+      if (bsdf.in_volume()) {
+        by_letter.volume = bsdf.eval_component(ScatterType::volume, wo, wi, mode);
+        return by_letter;
+      }
+    const float cosine = bsdf.cosine(wi);
     if (bsdf.has_component(ScatterType::diffuse))
       by_letter.diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi, mode) * cosine;
     if (bsdf.has_component(ScatterType::glossy))

@@ -7,8 +7,11 @@
 //
 // divided by the number of light paths, and its contribution to z is Phi_j f_s(y_j) G(y_j, z) f_s(z). A Lambertian
 // virtual light instead emits uniformly the flux that one sampled direction scatters, which estimates the albedo.
+//
+// Collisions in media become virtual lights that scatter by the phase function, whose cosine is 1.
 #pragma once
 #include "integrator/shared/light_subpaths.h"
+#include "integrator/shared/random_subset.h"
 #include "transport/path_expression/join_weights.h"
 
 namespace etendue::integrator {
@@ -21,7 +24,15 @@ struct VirtualLight {
   int length = 1;  // edges to the light
   uint32_t subset = 0;
   uint8_t state = 0;  // of the path class automaton: before scattering at this vertex; Lambertian: after it
+  const PhaseFunction* phase = nullptr;  // of a light in a medium
+
+  // The cosine to the geometric normal; 1 in media.
+  float cosine(const Vec3& w) const { return phase ? 1 : glm::dot(point.ng, w); }
 };
+
+// A path through a dense medium has hundreds of collisions: the mean number of virtual lights of a light path is at most
+// this.
+inline constexpr size_t kMostVirtualLightsPerPath = 16;
 
 struct VirtualLightPlan {
   int paths = 1;    // a multiple of subsets
@@ -67,6 +78,7 @@ class VirtualLightRecorder {
     const float subset_size = static_cast<float>(plan_.paths) / static_cast<float>(plan_.subsets);
     light.power = paths.state(path).throughput * scattered * (subpaths_.flux(path) / subset_size);
     light.length = paths.length();
+    if constexpr (M::kScattering) light.phase = paths.collision(hit).phase;
     light.subset = static_cast<uint32_t>((first_ + path) % plan_.subsets);
     if constexpr (M::kClasses) {
       const auto drawn = transport::draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, hit));
@@ -109,6 +121,11 @@ std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32
       }
     }
   if (paths.cancelled()) return {};
+  if constexpr (M::kScattering)
+    thin_randomly(lights, kMostVirtualLightsPerPath * VirtualLightPlan::kTask,
+                  hash_combine(light_path_seed(context.seed, static_cast<uint32_t>(first), sample % film::kHalfBuffers),
+                               sample / film::kHalfBuffers),
+                  [](VirtualLight& light, float factor) { light.power *= factor; });
   return paths.rays_traced();
 }
 

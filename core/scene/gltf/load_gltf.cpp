@@ -62,6 +62,7 @@ class Loader {
     gltf::import_transport(input_, scene_);
     check_joint_indices();
     gltf::remove_far_meshes(scene_);
+    gltf::check_boundaries(scene_);
     shorten(scene_.warnings);
     for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));
     return std::move(scene_);

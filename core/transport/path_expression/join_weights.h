@@ -15,7 +15,7 @@ namespace etendue::transport {
 template <class Color>
 struct JoinWeights {
   struct ByLetter {
-    Color diffuse{0}, glossy{0};
+    Color diffuse{0}, glossy{0}, volume{0};
   };
   std::array<ByLetter, Automaton::kMostStates> by_state;
 };
@@ -36,6 +36,7 @@ void find_join_weights(const ClassShares<M>& shares, int path, const ClassJoin& 
     };
     add(Event::diffuse, &JoinWeights<typename M::Color>::ByLetter::diffuse);
     add(Event::glossy, &JoinWeights<typename M::Color>::ByLetter::glossy);
+    if constexpr (M::kScattering) add(Event::volume, &JoinWeights<typename M::Color>::ByLetter::volume);
   }
 }
 

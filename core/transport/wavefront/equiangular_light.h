@@ -74,7 +74,7 @@ class EquiangularLight {
 
   // The density of a free flight's collision, per metre.
   float flight_density(int path, const ScatteringInterval& part, float distance) const {
-    return FreeFlight(paths_.media().unattenuated(path), 0).collision_density(*part.medium, distance - part.from);
+    return paths_.media().flight(path, 0).collision_density(*part.medium, distance - part.from);
   }
 
   // `lane` is the index of the random numbers.

@@ -2,7 +2,8 @@
 //                                                                                                 [Lang, sec. 8.1, 9.5]
 //
 // Photons are stored at surfaces with rough lobes, whose reflection is estimated from them; near-specular lobes are ray
-// traced. All glossy lobes of a surface have the same microfacets, so that all of them are in the same group.
+// traced. All glossy lobes of a surface have the same microfacets, so that all of them are in the same group. Phase
+// functions belong to D_G.
 #pragma once
 #include "transport/wavefront/path_estimators.h"
 
@@ -17,11 +18,15 @@ class LobeSplit {
   bool gloss_is_rough(const Bsdf<M>& bsdf) const {
     if constexpr (M::kDiffuse)
       return true;
+    else if constexpr (M::kScattering)
+      return bsdf.in_volume() || bsdf.surface().lobes.min_alpha() >= alpha_;
     else
       return bsdf.lobes.min_alpha() >= alpha_;
   }
   template <class M>
   bool has_rough(const Bsdf<M>& bsdf) const {
+    if constexpr (M::kScattering)
+      if (bsdf.in_volume()) return true;
     return bsdf.has_component(ScatterType::diffuse) ||
            (bsdf.has_component(ScatterType::glossy) && gloss_is_rough(bsdf));
   }
@@ -67,9 +72,23 @@ struct AcceptNearSpecular {
 enum class LitLobes { near_specular, rough, both };
 inline constexpr MisHeuristic kLobeSplitHeuristic = MisHeuristic::power;
 
-template <class M, class Selected = EveryHit>
+// The share of a connection by the diffuse lobes or the phase function of a current vertex.
+template <class M>
+typename M::Color share_of_rough(const PathWavefront<M>& paths, int hit) requires(M::kClasses) {
+  const int path = paths.path_at(hit);
+  if (paths.in_volume(hit)) return paths.shares().volume_connection_share(path);
+  return paths.shares().connection_share(path, Event::diffuse);
+}
+
+// delta_weight(hit, sample) is the MIS weight of a sample of a delta light. Paths continue from the collisions in media
+// for which continues(hit) holds, so that their phase functions count as near-specular lobes.
+struct NoHit {
+  constexpr bool operator()(int) const { return false; }
+};
+template <class M, class Selected = EveryHit, class DeltaWeight = OnlyTechnique, class Continues = NoHit>
 void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, LitLobes lobes,
-                              const Selected& selected = {}) {
+                              const Selected& selected = {}, const DeltaWeight& delta_weight = {},
+                              const Continues& continues = {}) {
   using Color = typename M::Color;
   const scene::CompiledScene& scene = paths.scene();
   if (scene.lights().empty() || (M::kDiffuse && lobes == LitLobes::near_specular)) return;
@@ -77,7 +96,7 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
   for (int i = 0; i < paths.hit_count(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    const bool has_near_specular = split.has_near_specular_gloss(bsdf);
+    const bool has_near_specular = split.has_near_specular_gloss(bsdf) || continues(i);
     if (light.pdf == 0 || !selected(i) ||
         !(has_near_specular || (lobes != LitLobes::near_specular && split.has_rough(bsdf))))
       continue;
@@ -88,15 +107,19 @@ void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, L
       glossy = bsdf.eval_component(ScatterType::glossy, wo, light.wi) * bsdf.cosine(light.wi);
       diffuse = bsdf.eval_component(ScatterType::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
+    if (continues(i)) std::swap(diffuse, glossy);
     if constexpr (M::kClasses) {
-      diffuse *= paths.shares().connection_share(paths.path_at(i), Event::diffuse);
-      glossy *= paths.shares().connection_share(paths.path_at(i), Event::glossy);
+      diffuse *= share_of_rough(paths, i);
+      glossy *=
+          continues(i) ? share_of_rough(paths, i) : paths.shares().connection_share(paths.path_at(i), Event::glossy);
     }
-    const float rough_weight = lobes == LitLobes::near_specular ? 0 : 1 / light.pdf;
+    const float rough_weight = lobes == LitLobes::near_specular ? 0
+                               : light.delta                    ? delta_weight(i, light) / light.pdf
+                                                                : 1 / light.pdf;
     float glossy_weight = rough_weight;
     if (has_near_specular)
       glossy_weight = lobes == LitLobes::rough ? 0
-                      : light.delta            ? 1 / light.pdf
+                      : light.delta            ? delta_weight(i, light) / light.pdf
                                                : mis_weight_over_pdf(kLobeSplitHeuristic, light.pdf, full.pdf);
     const Color scattered = diffuse * rough_weight + glossy * glossy_weight;
     if (is_black(scattered)) continue;

@@ -68,9 +68,24 @@ struct MediumPart {
   float length = 0;  // metres
 };
 
+// Metres from the start of the part to the point where its ray leaves the bounds; 0 if it does not meet them.
+float distance_to_exit(const Bounds& bounds, const Ray& ray, float scale, float from) {
+  float enter = from, exit = kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float a = (bounds.min[axis] - ray.origin[axis]) / ray.direction[axis];
+    const float b = (bounds.max[axis] - ray.origin[axis]) / ray.direction[axis];
+    enter = std::fmax(enter, std::fmin(a, b));
+    exit = std::fmin(exit, std::fmax(a, b));
+  }
+  return enter < exit ? (exit - from) * scale : 0;
+}
+
 MediumPart medium_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part) {
-  const float length = std::max(part.length, 0.0f);
+  float length = std::max(part.length, 0.0f);
   if (part.solid) {
+    // Light that leaves an open boundary meets no surface: the medium ends at the bounds of the solid.
+    if (std::isinf(length) && part.solid->is_volume())
+      length = distance_to_exit(part.solid->bounds, ray, scale, part.from);
     if (part.solid->heterogeneous) return {nullptr, part.solid->heterogeneous.get(), 0, length};
     if (part.solid->is_volume()) return {&part.solid->medium, nullptr, 0, length};
     return {};
@@ -188,11 +203,13 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
     if (!distance) return true;
     segment.collision.position = ray.origin + ray.direction * (part.from + *distance / scale);
     segment.collision.phase = phase;
+    segment.collision.scattering = flight.scattering_at_collision();
     return false;
   });
   segment.transmittance = flight.weight();
   segment.emitted = flight.emitted();
   segment.survival = flight.survival();
+  segment.densities = flight.densities();
   if (!segment.collision.phase) return;
   segment.hit = {};
   segment.interface.clear(stack);

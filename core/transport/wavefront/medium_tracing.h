@@ -47,6 +47,7 @@ struct FlightSegment : MediumSegment {
   Collision collision;
   Rgb emitted{0};  // radiance that media emit towards the start
   float survival = 1;  // FreeFlight::survival, up to the end
+  Rgb densities{0};    // FreeFlight::densities
   ScatteringInterval first;
 };
 

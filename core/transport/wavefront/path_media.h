@@ -39,6 +39,19 @@ class PathMedia<M, true> {
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
   void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
 
+  // Paths choose a colour channel for every flight, or keep one of the three (FreeFlight).
+  void choose_channels(int path) requires(M::kScattering) { flights_.channel[static_cast<size_t>(path)] = -1; }
+  void keep_channel(int path, int channel) requires(M::kScattering) {
+    flights_.channel[static_cast<size_t>(path)] = static_cast<int8_t>(channel);
+    flights_.next_densities[static_cast<size_t>(path)] = Rgb(1.0f / 3);
+  }
+  // A flight from the start of the current segment of a path.
+  FreeFlight flight(int path, float random) const requires(M::kScattering) {
+    const auto p = static_cast<size_t>(path);
+    const int channel = flights_.channel[p];
+    return channel < 0 ? FreeFlight(unattenuated_[p], random) : FreeFlight(flights_.densities[p], channel, random);
+  }
+
   // The same in a model with scattering media, with a uniform random number for the distance to a collision. `emitted` is
   // the radiance of media on the segment, without the throughput. Returns whether the segment ends on a surface or at a
   // collision.
@@ -48,8 +61,9 @@ class PathMedia<M, true> {
     FlightSegment segment;
     segment.hit = hit;
     unattenuated_[p] = throughput;
-    transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], FreeFlight(throughput, random),
-                              segment);
+    flights_.densities[p] = flights_.next_densities[p];
+    transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], flight(path, random), segment);
+    flights_.next_densities[p] = segment.densities;
     throughput *= segment.transmittance;
     emitted = segment.emitted;
     flights_.survival[p] = segment.survival;
@@ -61,7 +75,7 @@ class PathMedia<M, true> {
     return hit || segment.collision.phase;
   }
   // The collision at which vertex `slot` lies; without a phase function if it lies on a surface.
-  const Collision& collision(int slot) { return collisions_.at(slot); }
+  const Collision& collision(int slot) const { return collisions_.at(slot); }
 
   // Of the segment of a path that `sample_segment` completed: the probability that a flight passes it
   // (FreeFlight::survival), its first part in a scattering medium, its ray, and the throughput at its start.
@@ -157,6 +171,7 @@ class PathMedia<M, true> {
   PerPath<scene::MediumInterface> interfaces_;
   struct Collisions {
     Collision& at(int slot) { return values[static_cast<size_t>(slot)]; }
+    const Collision& at(int slot) const { return values[static_cast<size_t>(slot)]; }
     PerPath<Collision> values;
   };
   struct NoCollisions {};
@@ -164,6 +179,8 @@ class PathMedia<M, true> {
   // By path, in models with scattering media.
   struct Flights {
     PerPath<float> survival;
+    PerPath<int8_t> channel;                 // kept by the path; -1: none
+    PerPath<Rgb> densities, next_densities;  // of paths that keep a channel, at the start of the segment and at its end
     PerPath<ScatteringInterval> first;
   };
   struct NoFlights {};

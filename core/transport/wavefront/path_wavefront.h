@@ -70,7 +70,15 @@ class PathWavefront {
   void launch(int path, const Ray& ray, const MediumState<M>& medium, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
     state(path).start(ray.origin, time);
+    if constexpr (M::kScattering) media_.choose_channels(path);
     travel(path, ray, medium);
+  }
+  // Makes paths that have been launched keep one colour channel in scattering media. The channel of a pixel's path
+  // alternates from sample to sample.
+  void stratify_channels() {
+    if constexpr (M::kScattering)
+      for (int i = 0; i < size_; ++i)
+        media_.keep_channel(i, static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
   }
 
   // Removes all paths, which must have ended; new ones continue at vertices that are `length` edges from the camera.
@@ -81,6 +89,7 @@ class PathWavefront {
   // Returns the index of the path.
   int add_resumed(const PathState<Color>& path, const Ray& ray, const MediumState<M>& medium) {
     state(size_) = path;
+    if constexpr (M::kScattering) media_.choose_channels(size_);
     travel(size_, ray, medium);
     return size_++;
   }
@@ -137,6 +146,14 @@ class PathWavefront {
   const scene::SurfacePoint& point(int hit) const { return points_[static_cast<size_t>(hit)]; }
   const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
   const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
+  // Whether a current vertex lies in a scattering medium, and its collision, without a phase function on surfaces.
+  bool in_volume(int hit) const {
+    if constexpr (M::kScattering)
+      return bsdf(hit).in_volume();
+    else
+      return false;
+  }
+  const Collision& collision(int hit) const requires(M::kScattering) { return media_.collision(visited_ + hit); }
   // Selects the random number stream of the current vertices: stream 0 is that of the path; others have a seed of their
   // own, which paths that branch off inherit.
   void select_rng_stream(uint32_t stream) {
@@ -172,6 +189,7 @@ class PathWavefront {
 
   // The shares of the paths that belong to the selected path classes; empty in a model without classes.
   ClassShares<M>& shares() { return shares_; }
+  const ClassShares<M>& shares() const { return shares_; }
   // Conversions between RGB and the colours of the paths.
   PathColor<M>& color() { return color_; }
 

@@ -9,6 +9,7 @@ namespace etendue::transport {
 struct Collision {
   Vec3 position{0};
   const PhaseFunction* phase = nullptr;  // null: the segment ends on a surface
+  Rgb scattering{0};                     // the scattering coefficient, 1/m
 };
 
 // Sets the point of a collision. It does not emit light, belongs to no light, and rays that leave it are not offset.

@@ -323,7 +323,7 @@ TEST_F(Saving, ExtensionValuesOutOfRange) {
   EXPECT_EQ(scene.cameras[0].lens_radius, 0);
   EXPECT_EQ(scene.environment.tint, Rgb(1));
   for (const char* text :
-       {"cameras[0].extensions.ETENDUE_transport.lensRadius: is not a number in the allowed range",
+       {"cameras[0].extensions.ETENDUE_transport.lensRadius: has to be a number from 0 to 1e+09; it is ignored",
         "cameras[0].extensions.ETENDUE_transport.shutter:", "extensions.ETENDUE_transport.time:",
         "extensions.ETENDUE_transport.environment.tint:", "extensions.ETENDUE_transport.environment.rotation:"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);

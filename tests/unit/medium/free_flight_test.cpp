@@ -74,6 +74,54 @@ TEST(FreeFlight, Densities) {
   EXPECT_FLOAT_EQ(collided.survival(), average(m.transmittance(*distance)));
 }
 
+// Three flights through the same slab, with a channel that is kept: the throughput of a channel after three collisions
+// has the mean (albedo (1 - transmittance))^3. 4.5 standard errors.
+TEST(FreeFlight, KeptChannelsAreUnbiased) {
+  const HomogeneousMedium m = medium({0.2f, 1, 3}, {0.5f, 0.1f, 0.2f});
+  const float length = 1.3f;
+  constexpr int kPaths = 300'000;
+  double sum[3] = {}, squares[3] = {};
+  RandomStream random(1);
+  for (int i = 0; i < kPaths; ++i) {
+    Rgb throughput(1), densities(1.0f / 3);
+    for (int k = 0; k < 3 && !is_black(throughput); ++k) {
+      FreeFlight flight(densities, i % 3, random.next());
+      throughput = flight.pass(m, length) ? throughput * flight.weight() : Rgb(0);
+      densities = flight.densities();
+    }
+    EXPECT_LE(max_component(throughput), 3.0001f);
+    for (int c = 0; c < 3; ++c) {
+      sum[c] += static_cast<double>(throughput[c]);
+      squares[c] += static_cast<double>(throughput[c]) * static_cast<double>(throughput[c]);
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    const auto k = static_cast<double>(m.extinction[c]);
+    const double expected = std::pow(static_cast<double>(m.scattering[c]) / k * (1 - std::exp(-k * double{length})), 3);
+    const double mean = sum[c] / kPaths, error = std::sqrt((squares[c] / kPaths - mean * mean) / kPaths);
+    EXPECT_NEAR(mean, expected, 4.5 * error) << c;
+    EXPECT_LT(error, 0.05 * expected) << c;
+  }
+}
+
+// With equal albedos, the densities of a path are proportional to its throughput: both ways of choosing channels generate
+// the same paths.
+TEST(FreeFlight, DensitiesAreThroughputsForEqualAlbedos) {
+  const HomogeneousMedium m = medium({0.4f, 1, 3}, {0.1f, 0.25f, 0.75f});
+  RandomStream random(2);
+  for (int i = 0; i < 100; ++i) {
+    Rgb throughput(1), densities(1.0f / 3);
+    for (int k = 0; k < 5; ++k) {
+      FreeFlight flight(densities, i % 3, random.next());
+      flight.pass(m, 2);
+      throughput *= flight.weight();
+      densities = flight.densities();
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(densities[c], throughput[c] / (throughput.r + throughput.g + throughput.b), 1e-4f);
+    }
+  }
+}
+
 // The balance heuristic bounds the weights: no channel is amplified by more than the inverse of its probability.
 TEST(FreeFlight, WeightsAreBounded) {
   const HomogeneousMedium m = medium({0.01f, 1, 50}, Rgb(0));

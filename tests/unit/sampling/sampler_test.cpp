@@ -1,6 +1,8 @@
 // Properties of every sampler: values in range, reproducible, uniform, independent over dimensions, samples and pixels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
 #include <thread>
 
 #include "base/hash.h"
@@ -65,7 +67,7 @@ TEST_P(EverySampler, EachDimensionIsUniform) {
 }
 
 // In the first samples of many pixels, pairs of dimensions and neighbouring pixels are uncorrelated within 4.5 standard
-// errors (4e-3 false alarms over all pairs and samplers). Seeds of dimensions or pixels in arithmetic progression fail.
+// errors (1.3e-2 false alarms over all pairs and samplers). Seeds of dimensions or pixels in arithmetic progression fail.
 TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
   constexpr uint32_t kPixels = 20'000;
   std::vector<std::vector<float>> first;
@@ -83,7 +85,7 @@ TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
 }
 
 // A dimension of a sample is not equal to another dimension of the next samples, nor correlated with it: 5 standard
-// errors over many pixels (2e-3 false alarms over all pairs and samplers).
+// errors over many pixels (7e-3 false alarms over all pairs and samplers).
 TEST_P(EverySampler, SamplesOfAPixelAreIndependent) {
   constexpr uint32_t kPixels = 10'000, kSamples = 4;
   constexpr size_t kDimensions = 16;
@@ -132,13 +134,23 @@ TEST_P(EverySampler, IsThreadSafe) {
   for (const auto& result : results) EXPECT_EQ(result, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Values("sobol", "halton", "stratified", "random"),
-                         [](const auto& instance) { return instance.param; });
-
-TEST(SamplerRegistry, ListsAllSamplersStartingWithSobol) {
+std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const auto& info : sampler_infos()) names.push_back(info.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"sobol", "halton", "stratified", "random"}));
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::ValuesIn(all_names()), [](const auto& instance) {
+  std::string name = instance.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+TEST(SamplerRegistry, ListsAllSamplersStartingWithSobol) {
+  const auto names = all_names();
+  EXPECT_EQ(std::vector<std::string>(names.begin(), names.begin() + 4),
+            (std::vector<std::string>{"sobol", "halton", "stratified", "random"}));
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
   EXPECT_EQ(find_sampler("no-such"), nullptr);
   EXPECT_EQ(make_sampler("no-such"), nullptr);
   EXPECT_EQ(find_sampler("stratified")->parameters.at(0).name, "side");

@@ -60,6 +60,13 @@ class Gltf {
 
   // The triangle (0,0,0), (1,0,0), (0,1,0).
   json& triangle() { return primitive({{"POSITION", vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}}); }
+  // A closed surface whose triangles do not share vertices.
+  json& tetrahedron() {
+    const Vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::vector<Vec3> corners;
+    for (const int i : {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}) corners.push_back(p[i]);
+    return primitive({{"POSITION", vec3(corners)}});
+  }
   // The unit square in two triangles, with normals along z and one set of texture coordinates.
   json& square() {
     const json attributes = {{"POSITION", vec3({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})},

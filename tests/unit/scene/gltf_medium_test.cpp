@@ -8,7 +8,7 @@ class Media : public GltfTest {
  protected:
   static Gltf with(const json& extensions) {
     Gltf gltf;
-    gltf.triangle()["material"] = 0;
+    gltf.tetrahedron()["material"] = 0;
     gltf.root["materials"] = {{{"extensions", extensions}}};
     return gltf;
   }
@@ -110,6 +110,18 @@ TEST_F(Media, InvalidValuesAreReportedAndIgnored) {
   EXPECT_TRUE(warns(scene, "multiscatterColor: has to be three numbers from 0 to 1")) << all(scene.warnings);
   EXPECT_TRUE(warns(scene, "scatterAnisotropy")) << all(scene.warnings);
   EXPECT_TRUE(warns(scene, "atmosphere.radius")) << all(scene.warnings);
+}
+
+TEST_F(Media, BoundariesThatAreNotClosedAreReported) {
+  const json boundary = {{"boundaryOnly", true}, {"scattering", {1, 1, 1}}};
+  Gltf closed = with({{"ETENDUE_transport", {{"medium", boundary}}}});
+  EXPECT_EQ(all(opened(closed).warnings), "");
+  Gltf open;
+  open.triangle()["material"] = 0;
+  open.root["materials"] = closed.root["materials"];
+  EXPECT_TRUE(warns(opened(open), "meshes[0]: encloses a medium, but is not closed"));
+  open.root["materials"] = {json::object()};
+  EXPECT_EQ(all(opened(open).warnings), "");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // Imports materials with their extensions, and textures.                              glTF 2.0, sections 3.8 and 3.9
 #include <charconv>
+#include <cmath>
+#include <limits>
 
+#include "base/number_text.h"
 #include "scene/gltf/import/importers.h"
 
 namespace etendue::scene::gltf {
@@ -291,6 +294,21 @@ const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name)
 float number_or(const tinygltf::Value& object, const char* member, float fallback) {
   const auto& value = member_of(object, member);
   return value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : fallback;
+}
+
+std::optional<float> number_in_range(const tinygltf::Value& object, const char* member, float low, float high,
+                                     const std::string& where, std::vector<std::string>& warnings) {
+  const auto& value = member_of(object, member);
+  const float x = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : NAN;
+  if (x >= low && x <= high) return x;
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  std::string range;
+  if (high < kLargest)
+    range = " from " + format_number(low, 6) + " to " + format_number(high, 6);
+  else if (low > -kLargest)
+    range = " of at least " + format_number(low, 6);
+  warnings.push_back(where + "." + member + ": has to be a number" + range + "; it is ignored");
+  return std::nullopt;
 }
 
 int index_or(const tinygltf::Value& object, const char* member, int fallback) {

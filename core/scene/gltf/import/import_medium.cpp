@@ -71,12 +71,8 @@ class MediumReader {
 
   // The member if it lies in the range; `fallback` if it is missing or invalid.
   float number(const char* member, float fallback, float low, float high) {
-    if (!from_.Has(member)) return fallback;
-    const auto& value = from_.Get(member);
-    const float x = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : NAN;
-    if (x >= low && x <= high) return x;
-    warn(std::string(member) + ": is not a number in the allowed range; it is ignored");
-    return fallback;
+    return from_.Has(member) ? number_in_range(from_, member, low, high, where_, warnings_).value_or(fallback)
+                             : fallback;
   }
 
  private:
@@ -104,8 +100,8 @@ class MediumReader {
     for (const std::string& key : parameters.Keys()) {
       auto changed = make_phase_function(name, {{key, value_of(parameters.Get(key))}});
       if (changed)
-        phase.function = phase->with(key, *checked_value(*find_parameter(phase->info().parameters, key),
-                                                         value_of(parameters.Get(key))));
+        phase.function = phase->with(
+            key, *checked_value(*find_parameter(phase->info().parameters, key), value_of(parameters.Get(key))));
       else
         warn("phaseFunction.parameters." + key.substr(0, 40) + ": " + changed.error().message + "; it is ignored");
     }
@@ -145,8 +141,9 @@ void import_volume_scatter(const tinygltf::ExtensionMap& extensions, const std::
       return;
     }
     if (!std::isfinite(material.attenuation_distance)) continue;
-    const float extinction = std::min(
-        -std::log(std::max(material.attenuation_color[c], kDarkest)) / material.attenuation_distance, kLargestCoefficient);
+    const float extinction =
+        std::min(-std::log(std::max(material.attenuation_color[c], kDarkest)) / material.attenuation_distance,
+                 kLargestCoefficient);
     medium.scattering[c] = extinction * single_scattering_albedo(color[c]);
     medium.absorption[c] = extinction - medium.scattering[c];
   }

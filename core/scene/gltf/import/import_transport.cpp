@@ -25,12 +25,8 @@ class TransportReader {
 
   // The member if it is in [low, high]; `fallback` otherwise, with a warning unless the member is missing.
   float number(const char* member, float fallback, float low, float high = std::numeric_limits<float>::max()) {
-    const auto& value = extension_.Get(member);
-    if (value.Type() == tinygltf::NULL_TYPE) return fallback;
-    const float x = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : kInfinity;
-    if (x >= low && x <= high) return x;
-    warn(std::string(member) + ": is not a number in the allowed range; it is ignored");
-    return fallback;
+    if (!extension_.Has(member)) return fallback;
+    return number_in_range(extension_, member, low, high, where_, warnings_).value_or(fallback);
   }
   bool flag(const char* member, bool fallback) {
     const auto& value = extension_.Get(member);

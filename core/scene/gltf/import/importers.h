@@ -4,6 +4,7 @@
 // skins and animations; meshes and images last, because they take the longest and run in parallel.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,10 @@ void add_meshes(const InputFile& input, const std::vector<MeshTask>& tasks, Scen
 // kFarthestPosition, with a warning.
 void remove_far_meshes(Scene& scene);
 
+// Call after all materials and meshes are in the scene. Warns of meshes that bound a scattering, emitting or
+// heterogeneous medium and are not closed.
+void check_boundaries(Scene& scene);
+
 // One image to decode. Images that no texture uses have no task.
 struct ImageTask {
   size_t image = 0;
@@ -114,6 +119,9 @@ const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name)
 const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, const char* name);
 float number_or(const tinygltf::Value& object, const char* member, float fallback);
 int index_or(const tinygltf::Value& object, const char* member, int fallback);
+// The member if it is a number in [low, high]; nothing otherwise, with a warning that begins with `where`.
+std::optional<float> number_in_range(const tinygltf::Value& object, const char* member, float low, float high,
+                                     const std::string& where, std::vector<std::string>& warnings);
 // The value of a parameter; an empty text for other types.
 Value value_of(const tinygltf::Value& value);
 Rgb color_or(const tinygltf::Value& object, const char* member, const Rgb& fallback);

@@ -1,0 +1,48 @@
+// Poisson disk sets by dart throwing                                          [Lang, sec. 6.5.3 and 7.4; Cook 1986]
+//
+// Each two-dimensional decision of a group takes the points of a set in which no two points are closer than a distance,
+// modulo 1. Random points are accepted until none has been for long. The set is the same for all pixels, moved by a
+// random offset modulo 1 (Cranley-Patterson rotation). The number of points follows from the distance and is a little
+// smaller or larger than asked for.
+//
+//   Properties    Little energy at low frequencies: aliasing becomes noise of high frequencies.
+//   Limitations   The projections onto the axes are random. The convergence rate is that of random numbers.
+#pragma once
+#include "sampling/sampler.h"
+
+namespace etendue {
+
+enum class PoissonDiskSize { s16, s64, s256 };
+
+}  // namespace etendue
+
+template <>
+struct etendue::Options<etendue::PoissonDiskSize> {
+  static constexpr std::array<etendue::Option, 3> kOptions{{{"16", "16"}, {"64", "64"}, {"256", "256"}}};
+};
+
+namespace etendue {
+
+class PoissonDiskSampler final : public Sampler {
+ public:
+  static constexpr SamplerDescription kDescription{
+      .name = "poisson-disk",
+      .label = "Poisson disk",
+      .doc = "Sets of random points that keep a distance. For comparison: no aliasing, but slow convergence.",
+      .progressive = false,
+      .for_study = true,
+  };
+  Choice<PoissonDiskSize> size{"size", "Group size", PoissonDiskSize::s64, "Approximate number of points of a set"};
+  auto parameters() { return std::tie(size); }
+
+  struct Points {
+    double distance = 0;  // the smallest one between two points, modulo 1
+    std::vector<std::array<double, 2>> points;
+  };
+  // The set of a size without offset.
+  static const Points& points(PoissonDiskSize size);
+
+  void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
+};
+
+}  // namespace etendue
