@@ -252,7 +252,7 @@ class Chooser {
   void compare_samplers(double start) {
     std::vector<ComparedMethod> variants{{.method = choice_.method}};
     for (const auto& info : sampler_infos()) {
-      if (info.name == choice_.method.sampler || info.independent) continue;
+      if (info.name == choice_.method.sampler || info.independent || info.for_study) continue;
       variants.push_back({.method = choice_.method});
       variants.back().method.sampler = info.name;
     }
