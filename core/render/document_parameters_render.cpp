@@ -125,6 +125,7 @@ DocumentParameters render_parameters(const Document& document) {
   return list;
 }
 
+// A change of these parameters makes a new choice necessary.
 DocumentParameters automatic_parameters(const Document& document) {
   const AutomaticMethod& automatic = document.automatic;
   DocumentParameters list;
@@ -134,14 +135,20 @@ DocumentParameters automatic_parameters(const Document& document) {
           "allow", "Allowed integrators", automatic.allow,
           "Integrators that the automatic choice may use. Unbiased: the expected image is correct at any number of "
           "samples. Consistent: it is correct in the limit of many samples. Anything: it may stay wrong"},
-      [](Document& d, AllowedIntegrators v) { d.automatic.allow = v; }));
+      [](Document& d, AllowedIntegrators v) {
+        if (d.automatic.allow != v) d.automatic.reason.clear();
+        d.automatic.allow = v;
+      }));
   list.push_back(make_parameter(
       "auto",
       Choice<film::ErrorMeasure>{
           "error", "Error to minimise", automatic.error,
           "Measure by which the automatic choice compares integrators. RMSE: bright pixels decide. Relative: relative "
           "to the true value. Displayed: after exposure, tone mapping and sRGB encoding"},
-      [](Document& d, film::ErrorMeasure v) { d.automatic.error = v; }));
+      [](Document& d, film::ErrorMeasure v) {
+        if (d.automatic.error != v) d.automatic.reason.clear();
+        d.automatic.error = v;
+      }));
   if (!automatic.enabled)
     for (DocumentParameter& parameter : list)
       parameter.inactive_reason = "the integrator is not chosen automatically: set render.integrator to auto";

@@ -88,6 +88,7 @@ Result<void> restore_automatic(Document& document, const json& state, const std:
   if (!automatic.is_object() || text_member(automatic, "reason").empty()) return invalid_state(source);
   auto chosen = with(document, "render.integrator", Value(text_member(automatic, "integrator")));
   if (!chosen) return input_error(source + ": " + chosen.error().message);
+  if (chosen->automatic.enabled) return invalid_state(source);
   document.method.integrator = chosen->method.integrator;
   document.automatic.reason = text_member(automatic, "reason");
   return {};

@@ -23,6 +23,9 @@ constexpr uint32_t kProbeSamples = 2;
 constexpr int kMinPilotPixels = 1024, kMinTimedPixels = 512, kMaxPilotPixels = 40000;
 // Pilots are so small that the budget permits this number of samples per pixel by the cheapest method.
 constexpr double kPilotSamples = 96;
+// The smallest budget without a time limit, in samples of a pixel by the cheapest method. Fewer samples do not show
+// which methods find rare bright paths.
+constexpr double kLeastBudget = 1'000'000;
 // The fraction of the budget that the first round of the integrators should take, and that which it may take.
 constexpr double kFirstRound = 0.1, kLongestFirstRound = 0.6;
 // The fraction of the budget for the comparison of samplers.
@@ -180,10 +183,10 @@ class Chooser {
 
   // What is left of the budget in seconds.
   double seconds_left(double start) const { return seconds_ - (options_.clock() - start); }
-  // The budget in samples of a pixel; that of small images with few samples is larger than the fraction.
+  // The budget in samples of a pixel.
   double budget_samples() const {
     const uint32_t samples = document_.limits.samples > 0 ? document_.limits.samples : kAssumedSamples;
-    return std::max(kPilotSamples * kMinPilotPixels, kPilotFraction * samples * document_.width * document_.height);
+    return std::max(kLeastBudget, kPilotFraction * samples * document_.width * document_.height);
   }
 
   // The number of pixels at which the first round of all candidates fits into its part of the budget, from a small
@@ -229,19 +232,19 @@ class Chooser {
 
   void explain(const Comparison& comparison) {
     const ComparedMethod& best = comparison.methods[0];
-    const auto error = [&](const ComparedMethod& m) { return error_number(choice_.measure, m.predicted_error); };
-    const std::string label = film::measure_label(choice_.measure);
     if (!std::isfinite(best.predicted_error)) {
       choice_.reason = choice_.method.integrator + " without a comparison: the pilots were too short to measure errors";
       return;
     }
-    choice_.reason = best.method.integrator + " has the smallest predicted " + label + " (" + error(best) + ")";
+    choice_.reason = best.method.integrator + " has the smallest predicted " + film::measure_label(choice_.measure) +
+                     " (" + error_number(choice_.measure, best.predicted_error) + ")";
     for (size_t i = 1; i < comparison.methods.size(); ++i) {
       const ComparedMethod& m = comparison.methods[i];
       if (m.misses_light)
-        choice_.reason += ", " + m.method.integrator + " misses rare bright paths";
+        choice_.reason += ", " + m.method.integrator + " misses bright paths";
       else if (std::isfinite(m.predicted_error))
-        choice_.reason += ", " + m.method.integrator + " " + error(m);
+        choice_.reason +=
+            ", " + m.method.integrator + ' ' + times(m.predicted_error / best.predicted_error) + " times that";
     }
   }
 

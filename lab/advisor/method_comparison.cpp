@@ -20,7 +20,7 @@ using integrator::Bias;
 double hopeless_factor(uint32_t samples) { return samples < 8 ? 16 : samples < 32 ? 4 : samples < 64 ? 2 : 1.3; }
 constexpr uint32_t kFirstSamples = 2;  // of the first round: one per half-buffer
 // Standard errors by which one image must be darker than another to count as incomplete.
-constexpr double kDarker = 3;
+constexpr double kDarker = 4;
 
 // Typical time per ray relative to path tracing, in the order of integrator::Group. Measured on built-in scenes
 // (cornell-spheres, glossy-plates, spot-indirect, many-lights) with one thread; deviations of a factor of two occur.

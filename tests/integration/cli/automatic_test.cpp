@@ -24,7 +24,7 @@ class CliAutomatic : public Cli {
 };
 
 TEST_F(CliAutomatic, RecordsTheChoice) {
-  const std::string command = "glass-caustic --size 48x48 --spp 8 --integrator auto -o ";
+  const std::string command = "glass-caustic --paths 'EDS*L' --size 48x48 --spp 8 --integrator auto -o ";
   const json j = statistics(command + "a.exr");
   EXPECT_EQ(j["integrator"], "bdpt");
   EXPECT_EQ(j["spp"], 8);
@@ -37,7 +37,7 @@ TEST_F(CliAutomatic, RecordsTheChoice) {
   EXPECT_EQ(state["automatic"]["integrator"], "bdpt");
   EXPECT_EQ(state["automatic"]["reason"], reason);
   // The chosen integrator gives the same image.
-  ASSERT_EQ(run("render glass-caustic --size 48x48 --spp 8 --integrator bdpt --sampler " +
+  ASSERT_EQ(run("render glass-caustic --paths 'EDS*L' --size 48x48 --spp 8 --integrator bdpt --sampler " +
                 j["sampler"].get<std::string>() + " -o b.exr")
                 .code,
             0);
@@ -68,7 +68,8 @@ TEST_F(CliAutomatic, WrongUseIsExplained) {
 
 // A checkpoint stores the chosen method; the rendering continues with it.
 TEST_F(CliAutomatic, ResumedRenderingsKeepTheMethod) {
-  const std::string command = "glass-caustic --size 16x16 --integrator auto --checkpoint 0.1 -o cut.exr ";
+  const std::string command =
+      "glass-caustic --paths 'EDS*L' --size 16x16 --integrator auto --checkpoint 0.1 -o cut.exr ";
   const std::string checkpoint = (folder_ / "cut.exr.checkpoint").string();
   run("render " + command + "--spp 100000 & for i in $(seq 600); do [ -e " + checkpoint +
       " ] && break; sleep 0.1; done; "

@@ -47,8 +47,9 @@ std::string refusal_of(const render::Document& d, const std::string& name) {
 }
 
 // A glass sphere under a small light: light through the glass is hard for camera paths, which hit the light by chance.
+// Views through the glass, which no candidate samples well, are left out.
 TEST(MethodChoice, CausticsOfSmallLightsAreNotPathTraced) {
-  const MethodChoice choice = chosen(builtin("glass-caustic", 64));
+  const MethodChoice choice = chosen(changed(builtin("glass-caustic", 64), "film.paths", "EDS*L"));
   EXPECT_EQ(choice.method.integrator, "bdpt");
   EXPECT_EQ(choice.considered.front().name, "bdpt");
   EXPECT_NE(choice.reason.find("bdpt has the smallest predicted relative error"), std::string::npos) << choice.reason;

@@ -128,5 +128,42 @@ TEST_F(UnlitScene, SavedSceneNamesItsEnvironment) {
   EXPECT_EQ(preset(*reopened), "sunset");
 }
 
+// "auto" is a value of render.integrator, but the method of the document stays one of the registry.
+TEST(AutomaticIntegrator, IsAFlagOfTheDocument) {
+  const Document original = *new_document("cornell");
+  auto d = with_text(original, "render.integrator", "auto");
+  ASSERT_TRUE(d);
+  EXPECT_TRUE(d->automatic.is_pending());
+  EXPECT_EQ(d->method, original.method);
+  EXPECT_EQ(*get(*d, "render.integrator"), Value(std::string("auto")));
+  EXPECT_FALSE(with_text(*d, "render.integrator", "path")->automatic.enabled);
+  // Until a choice was made, a state stores none.
+  auto reopened = document_from_state(state_json(*d, 0), "test");
+  ASSERT_TRUE(reopened);
+  EXPECT_EQ(reopened->automatic, d->automatic);
+  d->method.integrator = "bdpt";
+  d->automatic.reason = "because";
+  d->automatic.allow = AllowedIntegrators::consistent;
+  d->automatic.error = film::ErrorMeasure::displayed;
+  reopened = document_from_state(state_json(*d, 0), "test");
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_EQ(reopened->automatic, d->automatic);
+  EXPECT_EQ(reopened->method, d->method);
+  // Another restriction makes a new choice necessary; the same one does not.
+  EXPECT_FALSE(with_text(*d, "auto.allow", "consistent")->automatic.is_pending());
+  EXPECT_TRUE(with_text(*d, "auto.allow", "anything")->automatic.is_pending());
+  EXPECT_FALSE(with_text(*d, "render.integrator", "auto")->automatic.is_pending());
+}
+
+TEST(AutomaticIntegrator, ADamagedChoiceIsRefused) {
+  const Document original = *new_document("cornell");
+  const std::string state = state_json(*with_text(original, "render.integrator", "auto"), 0);
+  const std::string head = state.substr(0, state.size() - 1);
+  for (const char* automatic :
+       {"3", "{}", R"({"reason": "r"})", R"({"reason": "r", "integrator": "auto"})",
+        R"({"reason": "r", "integrator": "unknown"})", R"({"reason": 1, "integrator": "path"})"})
+    EXPECT_FALSE(document_from_state(head + ",\"automatic\": " + automatic + "}", "test")) << automatic;
+}
+
 }  // namespace
 }  // namespace etendue::render
