@@ -12,7 +12,7 @@
 
 namespace etendue {
 
-enum class PoissonDiskSize { s16, s64, s256 };
+enum class PoissonDiskSize { small, medium, large };
 
 }  // namespace etendue
 
@@ -32,7 +32,7 @@ class PoissonDiskSampler final : public Sampler {
       .progressive = false,
       .for_study = true,
   };
-  Choice<PoissonDiskSize> size{"size", "Group size", PoissonDiskSize::s64, "Approximate number of points of a set"};
+  Choice<PoissonDiskSize> size{"size", "Group size", PoissonDiskSize::medium, "Approximate number of points of a set"};
   auto parameters() { return std::tie(size); }
 
   struct Points {

@@ -205,9 +205,9 @@ TEST(Lattice, PairsOfDimensionsAreEven) {
 }
 
 TEST(PoissonDisk, KeepsTheDistanceAndHasNoHoles) {
-  for (const auto size : {PoissonDiskSize::s16, PoissonDiskSize::s64, PoissonDiskSize::s256}) {
+  for (const auto size : {PoissonDiskSize::small, PoissonDiskSize::medium, PoissonDiskSize::large}) {
     const auto& set = PoissonDiskSampler::points(size);
-    const double wanted = size == PoissonDiskSize::s16 ? 16 : size == PoissonDiskSize::s64 ? 64 : 256;
+    const double wanted = size == PoissonDiskSize::small ? 16 : size == PoissonDiskSize::medium ? 64 : 256;
     EXPECT_NEAR(static_cast<double>(set.points.size()), wanted, 0.15 * wanted);
     EXPECT_GE(smallest_distance(set.points), set.distance);
     // Hardly any place is left for another point.
