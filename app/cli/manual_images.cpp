@@ -176,9 +176,9 @@ Result<void> write_environments(const ImageWriter& out) {
 Result<void> write_scene(const ImageWriter& out, const std::string& name) {
   render::Document d = *render::new_document(name);
   uint32_t samples = 64;
-  if (name == "fire") samples = 1024;
+  if (name == "fire") samples = 512;
   if (name == "milk") {
-    samples = 512;
+    samples = 160;
     d.method.integrator = "sppm";
     for (const auto& [parameter, value] :
          {std::pair("sppm.photons", "200000"), std::pair("sppm.volume-radius", "0.002")})

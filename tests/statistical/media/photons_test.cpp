@@ -147,7 +147,10 @@ TEST(VirtualLightsInMedia, EqualPathTracing) {
 // Means over the image of light that is scattered in media first. With few photons, density estimation blurs and darkens
 // by some per cent.
 TEST(VolumePhotons, AreNearPathTracing) {
-  for (auto [name, place] : {places()[0], places()[1]}) {
+  const auto all = places();
+  for (const size_t k : {0U, 1U}) {
+    const std::string name = all[k].first;
+    Document place = all[k].second;
     place.method.paths = "ES*V.*L";
     const auto reference = test::replicated(with_integrator(place, "path"), 48, 1000);
     for (const Variant& variant : {kDirect, kClassic, kFromPhotons}) {
@@ -156,7 +159,7 @@ TEST(VolumePhotons, AreNearPathTracing) {
       for (const double block : reference.mean) expected += block;
       for (const double block : estimate.mean) mean += block;
       EXPECT_NEAR(mean, expected, 0.12 * expected) << name << ", " << variant.name();
-      expect_resolved(estimate, 0.05, std::string(name) + ", " + variant.name());
+      expect_resolved(estimate, 0.05, name + ", " + variant.name());
     }
   }
 }
