@@ -172,9 +172,24 @@ Result<void> write_environments(const ImageWriter& out) {
   return {};
 }
 
+// A built-in scene, with an integrator and a number of samples that show it without much noise.
+Result<void> write_scene(const ImageWriter& out, const std::string& name) {
+  render::Document d = *render::new_document(name);
+  uint32_t samples = 64;
+  if (name == "fire") samples = 512;
+  if (name == "milk") {
+    samples = 160;
+    d.method.integrator = "sppm";
+    for (const auto& [parameter, value] :
+         {std::pair("sppm.photons", "200000"), std::pair("sppm.volume-radius", "0.002")})
+      d = *render::with_text(d, parameter, value);
+  }
+  return out.render("scene", name, d, samples);
+}
+
 Result<void> write_scenes_and_cameras(const ImageWriter& out) {
   for (const auto& builtin : scene::builtins())
-    if (auto ok = out.render("scene", builtin.name, *render::new_document(builtin.name), 64); !ok) return ok;
+    if (auto ok = write_scene(out, builtin.name); !ok) return ok;
   render::Document d = *render::new_document("cornell-spheres");
   d.camera.ymag = 2.8f;  // the box fills the image of an orthographic camera
   const auto parameters = render::section_parameters(d, "camera");

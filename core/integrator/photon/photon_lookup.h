@@ -157,9 +157,11 @@ void add_nearest_volume_photons(transport::PathWavefront<M>& paths, const Photon
     const Stopwatch::Lap lap(view.watch);
     for (int i = 0; i < paths.hit_count(); ++i) {
       if (!paths.in_volume(i)) continue;
+      // The decision must not depend on the photons: it would discard estimates that are too dark.
+      if (shallow.decide(i, std::isfinite(nearest.max_distance2) ? nearest.max_distance2 : 0)) continue;
       const auto ball =
           view.volume_map->nearest_in_ball(paths.point(i).position, nearest.count, nearest.max_distance2, neighbours);
-      if (shallow.decide(i, ball.radius2) || ball.photons.empty()) continue;
+      if (ball.photons.empty()) continue;
       const PhotonScattering<M> scattering(paths, i, view, before + paths.length());
       typename M::Color sum(0);
       for (const photon::Neighbour& n : ball.photons)

@@ -21,8 +21,8 @@
 // (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from the photons in
 // a ball. `direct` takes all of it from the volume map. `classic` samples direct light (VL) and takes the rest from the
 // map, without gather rays; on the segments of camera paths, point lights are sampled by equiangular distances as well.
-// Gather rays that collide are estimated in the same way. Where the ball would reach beyond the boundary at which a camera
-// path has entered the medium, the path continues instead (shallow_collisions.h).
+// Gather rays that collide are estimated in the same way. Where a ball of the maximum radius would reach beyond the
+// boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
 //
 // Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
 // Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,

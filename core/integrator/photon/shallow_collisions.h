@@ -2,8 +2,8 @@
 //
 // A ball around such a collision lies partly outside of the medium, where no photons are stored, and would be too dark.
 // Camera paths continue from there as in path tracing, until the point where they entered the medium and, in homogeneous
-// media, the next boundary or surface in their direction are farther away than the radius of a lookup. Collisions close to
-// other parts of the boundary remain too dark; this error vanishes with the radius.
+// media, the next boundary or surface in their direction are farther away than the largest radius of a lookup. Collisions
+// close to other parts of the boundary remain too dark; this error vanishes with the radius.
 #pragma once
 #include "transport/wavefront/lobe_split.h"
 
