@@ -17,6 +17,7 @@
   ENTRY(bsdf)                   \
   ENTRY(phase)                  \
   ENTRY(spectrum)               \
+  ENTRY(radiosity)              \
   ENTRY(probe)                  \
   ENTRY(trace)                  \
   ENTRY(save)                   \

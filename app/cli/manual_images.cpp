@@ -109,15 +109,28 @@ render::Document light_stage(const LightTypeInfo& type) {
   return stage(scene::diffuse(Rgb(0.7f)), lit_by(light, {2, 3.6f, 2}));
 }
 
+bool is_compatible(const render::Document& d) {
+  return render::incompatibility(d, *scene::compile(d.scene, d.camera, nullptr)).empty();
+}
+
 Result<void> write_integrators(const ImageWriter& out) {
   render::Document d = *render::new_document("cornell-spheres");
   for (const auto& info : integrator::integrator_infos()) {
     d.method.integrator = info.name;
-    // Light paths that must hit the lens see nothing through a pinhole.
-    const bool needs_lens = !render::incompatibility(d, *scene::compile(d.scene, d.camera, nullptr)).empty();
     render::Document seen = d;
-    if (needs_lens) seen.camera.lens_radius = 0.3f;
-    if (auto ok = out.render("integrator", info.name, seen, needs_lens ? 2048 : 64); !ok) return ok;
+    uint32_t samples = 64;
+    // Light paths that must hit the lens see nothing through a pinhole.
+    if (!is_compatible(seen)) {
+      seen.camera.lens_radius = 0.3f;
+      samples = 2048;
+    }
+    // Radiosity needs diffuse surfaces.
+    if (!is_compatible(seen)) {
+      seen = *render::new_document("cornell");
+      seen.method.integrator = info.name;
+      samples = 64;
+    }
+    if (auto ok = out.render("integrator", info.name, seen, samples); !ok) return ok;
   }
   return {};
 }

@@ -21,7 +21,8 @@
   ENTRY(pssmlt)                    \
   ENTRY(photon_mapping)            \
   ENTRY(progressive_photon_mapping)\
-  ENTRY(instant_global_illumination)
+  ENTRY(instant_global_illumination)\
+  ENTRY(radiosity_method)
 // clang-format on
 
 namespace etendue::integrator {
