@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "medium/random_stream.h"
+#include "base/hash.h"
 
 namespace etendue::integrator {
 
@@ -15,12 +15,12 @@ template <class T, class Scale>
 void thin_randomly(std::vector<T>& elements, size_t most, uint32_t seed, Scale&& scale) {
   const size_t count = elements.size();
   if (count <= most) return;
-  RandomStream random(seed);
   const float factor = static_cast<float>(count) / static_cast<float>(most);
   size_t kept = 0;
   for (size_t i = 0; kept < most; ++i) {
     const size_t left = count - i, wanted = most - kept;
-    if (left > wanted && random.next() * static_cast<float>(left) >= static_cast<float>(wanted)) continue;
+    const float random = to_unit_float(hash_combine(seed, static_cast<uint32_t>(i)));
+    if (left > wanted && random * static_cast<float>(left) >= static_cast<float>(wanted)) continue;
     elements[kept] = elements[i];
     scale(elements[kept++], factor);
   }

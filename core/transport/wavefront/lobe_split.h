@@ -74,7 +74,7 @@ inline constexpr MisHeuristic kLobeSplitHeuristic = MisHeuristic::power;
 
 // The share of a connection by the diffuse lobes or the phase function of a current vertex.
 template <class M>
-typename M::Color share_of_rough(const PathWavefront<M>& paths, int hit) requires(M::kClasses) {
+typename M::Color share_of_rough(PathWavefront<M>& paths, int hit) requires(M::kClasses) {
   const int path = paths.path_at(hit);
   if (paths.in_volume(hit)) return paths.shares().volume_connection_share(path);
   return paths.shares().connection_share(path, Event::diffuse);

@@ -73,8 +73,7 @@ class PathWavefront {
     if constexpr (M::kScattering) media_.choose_channels(path);
     travel(path, ray, medium);
   }
-  // Makes paths that have been launched keep one colour channel in scattering media. The channel of a pixel's path
-  // alternates from sample to sample.
+  // Makes launched paths keep a colour channel in scattering media, which alternates between the samples of a pixel.
   void stratify_channels() {
     if constexpr (M::kScattering)
       for (int i = 0; i < size_; ++i)
@@ -147,12 +146,7 @@ class PathWavefront {
   const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
   const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
   // Whether a current vertex lies in a scattering medium, and its collision, without a phase function on surfaces.
-  bool in_volume(int hit) const {
-    if constexpr (M::kScattering)
-      return bsdf(hit).in_volume();
-    else
-      return false;
-  }
+  bool in_volume(int hit) const { return M::kScattering && point(hit).in_volume; }
   const Collision& collision(int hit) const requires(M::kScattering) { return media_.collision(visited_ + hit); }
   // Selects the random number stream of the current vertices: stream 0 is that of the path; others have a seed of their
   // own, which paths that branch off inherit.
@@ -189,7 +183,6 @@ class PathWavefront {
 
   // The shares of the paths that belong to the selected path classes; empty in a model without classes.
   ClassShares<M>& shares() { return shares_; }
-  const ClassShares<M>& shares() const { return shares_; }
   // Conversions between RGB and the colours of the paths.
   PathColor<M>& color() { return color_; }
 
