@@ -129,8 +129,11 @@ class ScenePanel final : public Panel {
     const int selected = state.selection.node;
     const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->nodes.size();
     if (group(state.ui, "Objects", "")) {
-      ImGui::BeginChild("##tree", {0, tree_height(has_selection)});
-      const int scroll_to = std::exchange(last_selected_, selected) != selected ? selected : -1;
+      const float height = tree_height(has_selection);
+      ImGui::BeginChild("##tree", {0, height});
+      const bool is_new = std::exchange(last_selected_, selected) != selected;
+      const bool is_smaller = std::exchange(last_height_, height) > height;
+      const int scroll_to = is_new || is_smaller ? selected : -1;
       for (const int root : scene->roots) draw_node(state, *scene, root, scroll_to);
       tree_content_height_ = ImGui::GetCursorPosY();
       ImGui::EndChild();
@@ -158,13 +161,15 @@ class ScenePanel final : public Panel {
   }
 
  private:
-  // The tree takes the height of its lines, but leaves room for the section of the selected object below. Both heights
-  // are those of the last frame.
+  // With a selection, the tree has the height of its lines, so that the section of the selected object follows at once. A
+  // long tree leaves room for the first lines of that section. Both heights are those of the last frame.
   float tree_height(bool has_selection) const {
-    const float smallest = ImGui::GetFrameHeight() * 6;
-    const float available = ImGui::GetContentRegionAvail().y - (has_selection ? selection_height_ : 0);
-    return has_selection ? std::clamp(tree_content_height_, smallest, std::max(available, smallest))
-                         : std::max(available, smallest);
+    constexpr float kLinesOfTree = 6, kLinesOfSelection = 6.5f;
+    const float smallest = ImGui::GetFrameHeight() * kLinesOfTree;
+    const float reserved =
+        has_selection ? std::min(selection_height_, ImGui::GetFrameHeightWithSpacing() * kLinesOfSelection) : 0;
+    const float available = std::max(ImGui::GetContentRegionAvail().y - reserved, smallest);
+    return has_selection ? std::clamp(tree_content_height_, smallest, available) : available;
   }
 
   void draw_counts(const UiContext& ui, const std::shared_ptr<const scene::CompiledScene>& compiled) {
@@ -179,6 +184,7 @@ class ScenePanel final : public Panel {
   std::weak_ptr<const scene::CompiledScene> counted_;  // the scene of light_text_
   std::string light_text_;
   int last_selected_ = -1;  // node
+  float last_height_ = 0;   // of the tree
   float tree_content_height_ = 0, selection_height_ = 0;
 };
 

@@ -163,8 +163,12 @@ class RadiosityState final : public RenderState {
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
-    if (is_refused_ || solution(sample).is_ready()) return {};
-    return {{"computing form factors", solution(sample).tasks()}};
+    if (is_refused_) return {};
+    if (!solution(sample).is_ready()) return {{"computing form factors", solution(sample).tasks()}};
+    // A state that shares the solution may have completed it.
+    const uint32_t half = sample % film::kHalfBuffers;
+    if (lookups_[half].at_camera.empty()) prepare_lookup(half);
+    return {};
   }
   std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
     return solution(sample).run(*context_.scene, mesh_, task, task_context.keep_going);

@@ -39,8 +39,9 @@ DirectionNumbers direction_numbers(Polynomial p) {
   for (int row = 0; row < 32; ++row) {
     const int k = row % degree(p);
     if (k == 0) power = product(power, p);
-    // Digits of x^k / power by long division.
-    Polynomial rest = Polynomial{1} << k;
+    // Digits of the Laurent series by long division. The powers of x decrease, so that the first digit of every
+    // coordinate changes from the second sample on.
+    Polynomial rest = Polynomial{1} << (degree(p) - 1 - k);
     for (uint32_t& number : numbers) {
       rest <<= 1;
       if (degree(rest) < degree(power)) continue;

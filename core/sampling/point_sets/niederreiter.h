@@ -5,7 +5,8 @@
 // every pixel. Each block of dimensions after the first 64 reuses the first eight dimensions with its own order of
 // samples.
 //
-//   Properties    t is the sum of the degrees less one; the first two dimensions have t = 0. Progressive.
+//   Properties    t is the sum of the degrees less one; the first two dimensions have t = 0, and so has every dimension by
+//                 itself, because k decreases from row to row. Progressive.
 //   Cost          about ten times that of `sobol`
 //   Limitations   Pairs of late dimensions while samples are few; t grows faster than in the sequence of `sobol`, whose
 //                 numbers are optimised for such pairs.

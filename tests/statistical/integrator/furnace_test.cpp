@@ -55,7 +55,9 @@ void expect_a_furnace(float albedo, int size) {
     }
 }
 TEST(Furnace, UnbiasedIntegratorsWithEverySampler) { expect_a_furnace(0.5f, 20); }
-TEST(Furnace, UnbiasedIntegratorsWithEverySamplerOnLongPaths) { expect_a_furnace(0.9f, 12); }
+// A quarter of the light arrives on paths with more vertices than samplers have dimensions. With a higher albedo, rare
+// survivors of roulette would carry as much light as the tolerance.
+TEST(Furnace, UnbiasedIntegratorsWithEverySamplerOnLongPaths) { expect_a_furnace(0.85f, 12); }
 
 // Roulette changes the variance, not the mean: a z-test over pixels with a false-alarm rate of 1 % for all cases
 // together.

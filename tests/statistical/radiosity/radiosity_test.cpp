@@ -200,6 +200,13 @@ class Rendering {
     }
     return rays;
   }
+  // The first sample of 16 x 16 pixels.
+  std::vector<Rgb> pixels() {
+    prepare();
+    std::vector<Rgb> radiance(256);
+    EXPECT_TRUE(state_->sample({.x = 0, .y = 0, .width = 16, .height = 16, .sample = 0}, radiance, {}));
+    return radiance;
+  }
   bool has_phases() const { return !state_->phases(0).empty(); }
   const integrator::RenderState& state() const { return *state_; }
 
@@ -232,6 +239,17 @@ TEST(RadiosityIntegrator, ReusesWhatAnEditDoesNotChange) {
   }
   // Another mesh.
   EXPECT_GT(Rendering(with(d, "radiosity.patches", "100"), &first).prepare(), rays / 4);
+}
+
+// After an edit, two states may share a solution that is not ready; either of them completes it for both.
+TEST(RadiosityIntegrator, SharesASolutionThatIsNotReady) {
+  const auto d = with(by_radiosity(test::cornell(16)), "radiosity.patches", "100");
+  auto moved = d;
+  moved.camera.to_world[3].x += 0.1f;
+  Rendering first(d), second(moved, &first);
+  EXPECT_EQ(second.pixels(), Rendering(moved).pixels());
+  EXPECT_FALSE(first.has_phases());
+  EXPECT_EQ(first.pixels(), Rendering(d).pixels());
 }
 
 std::string refusal(const render::Document& d) {
