@@ -47,7 +47,7 @@ struct etendue::Options<etendue::integrator::RadiosityGather> {
 template <>
 struct etendue::Options<etendue::integrator::RadiositySurfaces> {
   static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"diffuse", "Refuse others than diffuse"}, {"base-color", "Diffuse, with the base colour"}}};
+      {{"diffuse", "Diffuse only"}, {"base-color", "All, by base colour"}}};
 };
 
 namespace etendue::integrator {
