@@ -1,5 +1,6 @@
 // The pairs of an element with all others that face it, for methods that treat one pair at a time.
 #pragma once
+#include "base/warp.h"
 #include "radiosity/closed_forms.h"
 #include "radiosity/form_factors.h"
 #include "radiosity/patch_rays.h"
@@ -33,6 +34,31 @@ void for_each_facing(const PatchMesh& mesh, uint32_t element, Visit&& visit) {
 // A seed for the random numbers of a pair.
 inline uint32_t pair_seed(const RowRequest& request, uint32_t other) {
   return hash_combine(element_seed(request.seed, request.element), other);
+}
+
+struct VisiblePairs {
+  double sum = 0;       // of the weights of the pairs of points that see each other
+  uint32_t tested = 0;  // pairs with a positive weight
+};
+// Draws request.samples pairs of uniform points of the element and another one. weight(from, to) is the weight of a pair.
+template <class Weight>
+VisiblePairs sum_over_pairs(const RowRequest& request, uint32_t other, VisibilityRays& rays, Weight&& weight) {
+  const PatchMesh& mesh = request.mesh;
+  const Patch &patch = mesh.patch_of(request.element), &target = mesh.patch_of(other);
+  VisiblePairs pairs;
+  const auto add = [&](double visible) { pairs.sum += visible; };
+  for (uint32_t s = 0; s < request.samples; ++s) {
+    SampleBlock u;
+    request.sampler.block(pair_seed(request, other), s, 0, u);
+    const Vec3 from = patch.point(square_to_triangle({u[0], u[1]})),
+               to = target.point(square_to_triangle({u[2], u[3]}));
+    const double w = weight(from, to);
+    if (!(w > 0)) continue;
+    ++pairs.tested;
+    rays.add(off_surface(mesh, request.element, from), off_surface(mesh, other, to), w, add);
+  }
+  rays.trace(add);
+  return pairs;
 }
 
 }  // namespace etendue::radiosity

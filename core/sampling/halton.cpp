@@ -69,28 +69,28 @@ constexpr std::array<Fill, kBlocks> fills(std::index_sequence<kBlock...>) {
 
 constexpr std::array<Fill, kBlocks> kFills = fills(std::make_index_sequence<kBlocks>());
 
-}  // namespace
-
-double HaltonSampler::radical_inverse(uint32_t sample, uint32_t base) {
-  // Integers and a single division, so that the result is the nearest double.
+// The digits of `sample` in this base, each replaced by changed(digit), mirrored at the radix point. Integers and a single
+// division, so that the result is the nearest double.
+template <class Changed>
+double inverse_of(uint32_t sample, uint32_t base, Changed&& changed) {
   uint64_t reversed = 0, cells = 1;
   while (sample > 0) {
-    reversed = reversed * base + sample % base;
+    reversed = reversed * base + changed(sample % base);
     sample /= base;
     cells *= base;
   }
   return static_cast<double>(reversed) / static_cast<double>(cells);
 }
 
+}  // namespace
+
+double HaltonSampler::radical_inverse(uint32_t sample, uint32_t base) {
+  return inverse_of(sample, base, [](uint32_t digit) { return digit; });
+}
+
 double HaltonSampler::radical_inverse(uint32_t sample, std::span<const uint16_t> permutation) {
-  const auto base = static_cast<uint32_t>(permutation.size());
-  uint64_t reversed = 0, cells = 1;
-  while (sample > 0) {
-    reversed = reversed * base + permutation[sample % base];
-    sample /= base;
-    cells *= base;
-  }
-  return static_cast<double>(reversed) / static_cast<double>(cells);
+  return inverse_of(sample, static_cast<uint32_t>(permutation.size()),
+                    [&](uint32_t digit) { return permutation[digit]; });
 }
 
 std::vector<uint16_t> HaltonSampler::faure_permutation(uint32_t base) {

@@ -1,6 +1,7 @@
 #include "advisor/method_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 
@@ -8,6 +9,7 @@
 #include "advisor/reference_integrator.h"
 #include "advisor/true_error.h"
 #include "base/vec.h"
+#include "film/film_image.h"
 #include "integrator/integrator_info.h"
 
 namespace etendue::advisor {
@@ -24,7 +26,7 @@ constexpr double kDarker = 4;
 
 // Typical time per ray relative to path tracing, in the order of integrator::Group. Measured on built-in scenes
 // (cornell-spheres, glossy-plates, spot-indirect, many-lights) with one thread; deviations of a factor of two occur.
-constexpr double kTimePerRay[] = {1, 1.2, 1.3, 2.5, 4};
+constexpr std::array<double, integrator::kGroups.size()> kTimePerRay{1, 1.2, 1.3, 2.5, 4};
 
 Bias bias_of_integrator(const render::MethodSettings& method) {
   return integrator::find_integrator(method.integrator)->bias;
@@ -56,17 +58,6 @@ film::Film displayed_film(const film::Film& film, const film::DisplayTransform& 
       pixel.count[half] = 1;
     }
   return shown;
-}
-
-std::vector<float> radiance_of(const film::Film& film) {
-  std::vector<float> values;
-  values.reserve(3 * film.pixels().size());
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const Rgb c = film.mean(x, y);
-      values.insert(values.end(), {c.r, c.g, c.b});
-    }
-  return values;
 }
 
 double pixels_of(const render::Document& d) { return static_cast<double>(d.width) * d.height; }
@@ -211,11 +202,11 @@ class MethodRace {
   // The squared error of an image, from an independent one.
   MeanSquare squared_error(const film::Film& film, const film::Film& other) const {
     if (plan_.measure != film::ErrorMeasure::displayed) {
-      const TrueError error = true_error(radiance_of(film), other);
+      const TrueError error = true_error(film::radiance_of(film), other);
       return plan_.measure == film::ErrorMeasure::rmse ? error.absolute : error.relative;
     }
     const auto display = document_.display.transform();
-    std::vector<float> shown = radiance_of(film);
+    std::vector<float> shown = film::radiance_of(film);
     for (size_t i = 0; i + 2 < shown.size(); i += 3) {
       const Rgb value = display(Rgb(shown[i], shown[i + 1], shown[i + 2]));
       shown[i] = value.r, shown[i + 1] = value.g, shown[i + 2] = value.b;

@@ -67,7 +67,8 @@ struct Comparison {
   bool interrupted = false;
 };
 
-// `methods` have their settings and their missing paths. All rendering takes place in `session`. If `progress` returns false, the result is what has been measured so far.
+// `methods` have their settings and their missing paths. All rendering takes place in `session`. If `progress` returns
+// false, the result is what has been measured so far.
 Comparison compare_methods(render::Session& session, const render::Document& document,
                            std::vector<ComparedMethod> methods, const ComparisonPlan& plan,
                            const bench::Progress& progress);

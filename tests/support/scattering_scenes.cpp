@@ -46,6 +46,17 @@ Material turbid_liquid(float ior, const MediumDescription& inside, float roughne
   return m;
 }
 
+render::Document with_clear_medium(const render::Document& plain) {
+  auto scene = std::make_shared<scene::Scene>(*plain.scene);
+  add(*scene, sphere(0.8f, 16, false), medium_boundary({}));
+  Mat4 away(1);
+  away[3] = Vec4(100, 0, 0, 1);
+  add(*scene, sphere(1, 8, false), medium_boundary(medium(Rgb(1))), away);
+  render::Document general = plain;
+  general.scene = scene;
+  return general;
+}
+
 Document foggy_cornell_box() {
   Document d = cornell(kSize);
   auto scene = std::make_shared<scene::Scene>(*d.scene);

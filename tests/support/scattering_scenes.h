@@ -11,6 +11,9 @@ Material medium_boundary(const MediumDescription& inside);
 // A clear liquid with scattering particles.
 Material turbid_liquid(float ior, const MediumDescription& inside, float roughness = 0);
 
+// The same image with a medium of coefficients zero, and another medium far away that selects the general loops.
+render::Document with_clear_medium(const render::Document& plain);
+
 // The Cornell box filled with fog, which scatters forward.
 render::Document foggy_cornell_box();
 // A glass of milk on a floor under an area light and a sky: the milk overlaps the wall of the glass.

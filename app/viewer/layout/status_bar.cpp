@@ -50,7 +50,10 @@ class StatusLine {
 
   // An icon that opens the Reliability panel.
   void add_reliability(const render::Reliability& reliability) {
-    const std::string label = std::string("error estimate ") + reliability_label(reliability.verdict);
+    const auto bias = integrator::find_integrator(state_.document().method.integrator)->bias;
+    const bool is_complete = bias == integrator::Bias::unbiased;
+    const std::string label =
+        std::string(is_complete ? "error" : "noise") + " estimate " + reliability_label(reliability.verdict);
     if (!next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(label.c_str()).x)) return;
     ImGui::BeginGroup();
     status_icon(state_.ui, status_of(reliability.verdict));
@@ -59,7 +62,8 @@ class StatusLine {
     ImGui::EndGroup();
     state_.ui.items.add("status.reliability");
     if (ImGui::IsItemHovered())
-      tooltip(state_.ui, "Whether the stated error can be trusted, not how small it is: " + reliability.reason);
+      tooltip(state_.ui, "Whether the stated error can be trusted, not how small it is: " + reliability.reason +
+                             (is_complete ? "" : ". The bias of this integrator is not part of it"));
     open_reliability_if_clicked();
   }
 
@@ -69,10 +73,11 @@ class StatusLine {
     ImGui::TextUnformatted(text.c_str());
     state_.ui.items.add("status.error");
     if (ImGui::IsItemHovered())
-      tooltip(state_.ui, std::string(film::measure_description(measure)) +
-                             ". Estimated from the two half-buffers of the film; ? until every pixel has samples in both "
-                             "and the image is not black; n/a if the integrator cannot render the scene. Click to choose "
-                             "another measure");
+      tooltip(state_.ui,
+              std::string(film::measure_description(measure)) +
+                  ". Estimated from the two half-buffers of the film; ? until every pixel has samples in both "
+                  "and the image is not black; n/a if the integrator cannot render the scene. Click to choose "
+                  "another measure");
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("##measures");
     if (!ImGui::BeginPopup("##measures")) return;
     for (const film::ErrorMeasure choice : film::kErrorMeasures) {

@@ -154,7 +154,6 @@ class RadiosityState final : public RenderState {
       plans_[half] = integrator.plan_for(context, half);
       if (previous && can_reuse_solution(*previous, half)) {
         solutions_[half] = previous->solutions_[half];
-        if (solutions_[half]->is_ready()) prepare_lookup(half);
       } else {
         solutions_[half] = std::make_shared<radiosity::SceneSolution>(
             plans_[half], mesh_.element_count(), previous ? reusable_factors(*previous, half) : nullptr);
@@ -165,7 +164,7 @@ class RadiosityState final : public RenderState {
   std::vector<Phase> phases(uint32_t sample) override {
     if (is_refused_) return {};
     if (!solution(sample).is_ready()) return {{"computing form factors", solution(sample).tasks()}};
-    // A state that shares the solution may have completed it.
+    // Another state has completed the solution: that of an earlier image, or of a preview.
     const uint32_t half = sample % film::kHalfBuffers;
     if (lookups_[half].at_camera.empty()) prepare_lookup(half);
     return {};

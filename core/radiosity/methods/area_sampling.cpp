@@ -4,7 +4,6 @@
 //
 // over pairs of uniform points of both elements. The variance is small for distant elements and infinite for elements
 // with a common edge.
-#include "base/warp.h"
 #include "radiosity/element_pairs.h"
 
 namespace etendue::radiosity {
@@ -12,28 +11,17 @@ namespace {
 
 uint64_t add_row_by_area(const RowRequest& request) {
   const PatchMesh& mesh = request.mesh;
-  const Patch& patch = mesh.patch_of(request.element);
-  const Vec3 normal = mesh.normal_of(request.element);
+  const DVec3 normal(mesh.normal_of(request.element));
   VisibilityRays rays(request.scene, element_seed(request.seed, request.element));
   for_each_facing(mesh, request.element, [&](uint32_t other) {
-    const Patch& target = mesh.patch_of(other);
-    const Vec3 facing = mesh.normal_of(other);
-    double sum = 0;
-    const auto add = [&](double kernel) { sum += kernel; };
-    for (uint32_t s = 0; s < request.samples; ++s) {
-      SampleBlock u;
-      request.sampler.block(pair_seed(request, other), s, 0, u);
-      const Vec3 from = patch.point(square_to_triangle({u[0], u[1]})),
-                 to = target.point(square_to_triangle({u[2], u[3]}));
-      const glm::dvec3 d = glm::dvec3(to) - glm::dvec3(from);
-      const double r2 = glm::dot(d, d);
-      const double cosines = glm::dot(d, glm::dvec3(normal)) * -glm::dot(d, glm::dvec3(facing));
-      if (!(cosines > 0) || glm::dot(d, glm::dvec3(normal)) <= 0) continue;
-      rays.add(off_surface(mesh, request.element, from), off_surface(mesh, other, to),
-               cosines / (static_cast<double>(kPi) * r2 * r2), add);
-    }
-    rays.trace(add);
-    if (sum > 0) request.row.add(other, static_cast<double>(target.area) * sum / request.samples);
+    const DVec3 facing(mesh.normal_of(other));
+    const auto kernel = [&](const Vec3& from, const Vec3& to) {
+      const DVec3 d = DVec3(to) - DVec3(from);
+      const double r2 = glm::dot(d, d), cosine = glm::dot(d, normal), other_cosine = -glm::dot(d, facing);
+      return cosine > 0 && other_cosine > 0 ? cosine * other_cosine / (static_cast<double>(kPi) * r2 * r2) : 0;
+    };
+    const double sum = sum_over_pairs(request, other, rays, kernel).sum;
+    if (sum > 0) request.row.add(other, static_cast<double>(mesh.patch_of(other).area) * sum / request.samples);
   });
   return rays.traced();
 }

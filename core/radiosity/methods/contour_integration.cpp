@@ -2,7 +2,6 @@
 //
 // The factor of the two unoccluded patches by Stokes' theorem (closed_forms.h), times the fraction of segments between
 // random points of both that are not occluded. Exact without occlusion; approximate where a pair is partly occluded.
-#include "base/warp.h"
 #include "radiosity/element_pairs.h"
 
 namespace etendue::radiosity {
@@ -20,22 +19,14 @@ uint64_t add_row_by_contours(const RowRequest& request) {
     const Polygon seen = clipped(polygon_of(mesh, other), DVec3(patch.p0), normal);
     const Polygon seeing = clipped(own, DVec3(target.p0), facing);
     if (seen.empty() || seeing.empty()) return;
-    uint32_t tested = 0, visible = 0;
-    const auto count = [&](double) { ++visible; };
-    for (uint32_t s = 0; s < request.samples; ++s) {
-      SampleBlock u;
-      request.sampler.block(pair_seed(request, other), s, 0, u);
-      const Vec3 from = patch.point(square_to_triangle({u[0], u[1]})),
-                 to = target.point(square_to_triangle({u[2], u[3]}));
+    const auto faces = [&](const Vec3& from, const Vec3& to) {
       const DVec3 d(to - from);
-      if (glm::dot(d, normal) <= 0 || glm::dot(d, facing) >= 0) continue;
-      ++tested;
-      rays.add(off_surface(mesh, request.element, from), off_surface(mesh, other, to), 1, count);
-    }
-    rays.trace(count);
-    if (visible == 0) return;
+      return glm::dot(d, normal) > 0 && glm::dot(d, facing) < 0 ? 1.0 : 0.0;
+    };
+    const VisiblePairs pairs = sum_over_pairs(request, other, rays, faces);
+    if (pairs.sum == 0) return;
     const double factor = contour_exchange(seeing, seen) / static_cast<double>(patch.area);
-    if (factor > 0) request.row.add(other, factor * visible / tested);
+    if (factor > 0) request.row.add(other, factor * pairs.sum / pairs.tested);
   });
   return rays.traced();
 }

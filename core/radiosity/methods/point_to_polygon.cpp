@@ -4,7 +4,6 @@
 //
 // F_xj is the closed form for a point and an unoccluded polygon, y is a uniform point of element j. Without occlusion,
 // only the position of x is random.
-#include "base/warp.h"
 #include "radiosity/element_pairs.h"
 
 namespace etendue::radiosity {
@@ -12,23 +11,12 @@ namespace {
 
 uint64_t add_row_by_points(const RowRequest& request) {
   const PatchMesh& mesh = request.mesh;
-  const Patch& patch = mesh.patch_of(request.element);
   const DVec3 normal(mesh.normal_of(request.element));
   VisibilityRays rays(request.scene, element_seed(request.seed, request.element));
   for_each_facing(mesh, request.element, [&](uint32_t other) {
-    const Patch& target = mesh.patch_of(other);
     const Polygon polygon = polygon_of(mesh, other);
-    double sum = 0;
-    const auto add = [&](double factor) { sum += factor; };
-    for (uint32_t s = 0; s < request.samples; ++s) {
-      SampleBlock u;
-      request.sampler.block(pair_seed(request, other), s, 0, u);
-      const Vec3 from = patch.point(square_to_triangle({u[0], u[1]})),
-                 to = target.point(square_to_triangle({u[2], u[3]}));
-      const double factor = point_to_polygon(DVec3(from), normal, polygon);
-      if (factor > 0) rays.add(off_surface(mesh, request.element, from), off_surface(mesh, other, to), factor, add);
-    }
-    rays.trace(add);
+    const auto factor = [&](const Vec3& from, const Vec3&) { return point_to_polygon(DVec3(from), normal, polygon); };
+    const double sum = sum_over_pairs(request, other, rays, factor).sum;
     if (sum > 0) request.row.add(other, sum / request.samples);
   });
   return rays.traced();

@@ -3,8 +3,7 @@
 // Each two-dimensional decision of a group of n x n samples takes the points of a regular grid, moved by a random offset
 // modulo 1 (Cranley-Patterson rotation). For fixed-size sets see sampling/point_group.h.
 //
-//   Properties    Exact for polynomials of low degree in trigonometric functions; the largest star discrepancy of all
-//                 sets here.
+//   Properties    The simplest set that fills the square evenly.
 //   Limitations   The projections onto one axis have only n points. Periodic structures cause aliasing.
 #pragma once
 #include "sampling/point_group.h"

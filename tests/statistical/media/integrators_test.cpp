@@ -107,13 +107,7 @@ TEST(MediaTechniques, ReplaceEachOther) {
 // A medium with coefficients of zero equals a vacuum, with an atmosphere elsewhere that selects the general loops.
 TEST(MediaSpecialCases, ClearMediumIsAVacuum) {
   const Document plain = test::balls_under_area_light();
-  auto scene = std::make_shared<scene::Scene>(*plain.scene);
-  add(*scene, test::sphere(0.8f, 16, false), test::medium_boundary({}));
-  Mat4 away(1);
-  away[3] = Vec4(100, 0, 0, 1);
-  add(*scene, test::sphere(1, 8, false), test::medium_boundary(test::medium(Rgb(1))), away);
-  Document general = plain;
-  general.scene = scene;
+  const Document general = test::with_clear_medium(plain);
   for (const Form& form : {kDistribution, kLight, kBdpt, kPssmlt}) {
     Document a = form.of(plain), b = form.of(general);
     a.method.paths = b.method.paths = "E[(D|G|V).*]L";

@@ -169,13 +169,7 @@ TEST(VolumePhotons, AreNearPathTracing) {
 // A medium with coefficients of zero equals a vacuum, with another medium elsewhere that selects the general loops.
 TEST(VolumePhotons, ClearMediumIsAVacuum) {
   const Document plain = test::balls_under_area_light();
-  auto scene = std::make_shared<scene::Scene>(*plain.scene);
-  add(*scene, test::sphere(0.8f, 16, false), test::medium_boundary({}));
-  Mat4 away(1);
-  away[3] = Vec4(100, 0, 0, 1);
-  add(*scene, test::sphere(1, 8, false), test::medium_boundary(test::medium(Rgb(1))), away);
-  Document general = plain;
-  general.scene = scene;
+  const Document general = test::with_clear_medium(plain);
   for (Variant variant : {kClassic, kProgressive, kVirtual}) {
     // The distant ball changes the diameter of the scene, which some defaults refer to.
     if (variant.integrator == std::string("photonmap")) variant.settings.back() = {"near", "0"};

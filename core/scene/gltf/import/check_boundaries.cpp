@@ -1,6 +1,6 @@
 // Warns of media whose boundary is not closed.
 #include <algorithm>
-#include <map>
+#include <array>
 
 #include "scene/gltf/file_error.h"
 #include "scene/gltf/import/importers.h"
@@ -8,34 +8,36 @@
 namespace etendue::scene::gltf {
 namespace {
 
-// Counts for each edge of triangles how often it is passed from its smaller to its larger vertex, minus how often in the
-// other direction. In a closed, consistently oriented surface all counts are zero. Vertices at equal positions are one.
-class EdgeBalance {
+// The directed edges of triangles. In a closed, consistently oriented surface every edge is passed equally often in both
+// directions. Vertices at equal positions are one.
+class BoundaryEdges {
  public:
   void add(const Mesh& mesh) {
-    std::vector<uint32_t> numbers;
-    for (const Vec3& p : mesh.positions)
-      numbers.push_back(vertices_.try_emplace({p.x, p.y, p.z}, static_cast<uint32_t>(vertices_.size())).first->second);
     for (const Triangle& t : mesh.triangles)
-      for (size_t i = 0; i < 3; ++i) {
-        const uint32_t a = numbers[t[i]], b = numbers[t[(i + 1) % 3]];
-        if (a != b) balance_[std::minmax(a, b)] += a < b ? 1 : -1;
-      }
+      for (size_t i = 0; i < 3; ++i) add(mesh.positions[t[i]], mesh.positions[t[(i + 1) % 3]]);
   }
-  bool is_closed() const {
-    return std::ranges::all_of(balance_, [](const auto& edge) { return edge.second == 0; });
+  bool is_closed() {
+    std::ranges::sort(forward_);
+    std::ranges::sort(backward_);
+    return forward_ == backward_;
   }
 
  private:
-  std::map<std::array<float, 3>, uint32_t> vertices_;
-  std::map<std::pair<uint32_t, uint32_t>, int> balance_;
+  using Edge = std::array<float, 6>;  // the positions of its ends, the smaller one first
+  void add(const Vec3& a, const Vec3& b) {
+    const Edge edge{a.x, a.y, a.z, b.x, b.y, b.z}, reversed{b.x, b.y, b.z, a.x, a.y, a.z};
+    if (edge < reversed) forward_.push_back(edge);
+    if (reversed < edge) backward_.push_back(reversed);
+  }
+
+  std::vector<Edge> forward_, backward_;
 };
 
 }  // namespace
 
 void check_boundaries(Scene& scene) {
   for (size_t m = 0; m < scene.meshes.size(); ++m) {
-    EdgeBalance edges;
+    BoundaryEdges edges;
     for (const Primitive& primitive : scene.meshes[m].primitives) {
       if (primitive.material < 0) continue;
       const Material& material = scene.materials[static_cast<size_t>(primitive.material)];
