@@ -94,6 +94,7 @@ std::string state_report(AppState& state) {
          {"obstacle", state.incompatibility()},
          {"scene", editor.document().scene_name},
          {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}}},
+         {"popup_open", state.interface.popup_open},
          {"tab", tab ? tab->info().name : ""},
          {"bottom_panel", bottom_panel ? bottom_panel->info().name : ""},
          {"sheet", sheet_name(bottom_panel)},
