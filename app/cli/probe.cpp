@@ -11,6 +11,7 @@
 #include "scene/compiled_scene.h"
 #include "scene_options.h"
 #include "spectrum/photometry.h"
+#include "transport/model.h"
 
 namespace etendue::cli {
 namespace {
@@ -21,6 +22,7 @@ struct ProbeArguments {
   std::vector<float> at, sensor;
   uint32_t samples = 1024;
   int threads = 0;
+  bool spectrum = false;
   bool json = false;
 };
 
@@ -36,52 +38,110 @@ Result<Efficacy> efficacy_of(const std::string& name) {
 
 json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-json reading_json(const render::MeterReading& r, Efficacy efficacy) {
+// The luminous efficacies that convert a reading to watts, lm/W.
+struct Efficacies {
+  double radiance, irradiance;  // of measured spectra in spectral rendering
+  double other;                 // the chosen one
+};
+
+json reading_json(const render::MeterReading& r, double lumens_per_watt) {
   const auto photometric = static_cast<double>(luminance(r.value));
   return {{"value", color_json(r.value)},
           {"standard_error", r.standard_error},
           {"photometric", photometric},
-          {"radiometric", radiometric(photometric, efficacy)}};
+          {"radiometric", photometric / lumens_per_watt},
+          {"lumens_per_watt", lumens_per_watt}};
 }
 
 constexpr LightQuantity kLuminousExitance{"Luminous exitance", "lm/m^2", "Radiant exitance", "W/m^2"};
 constexpr LightQuantity kReceivedFlux{"Received flux", "lm", "Received power", "W"};
 
-json lights_json(const render::MeterReadings& m, Efficacy efficacy) {
+json lights_json(const render::MeterReadings& m, double lumens_per_watt) {
   json list = json::array();
   for (const render::LightIntensity& light : m.lights)
     list.push_back({{"name", light.name},
                     {"distance", light.distance},
-                    {"intensity", reading_json({light.intensity, 0}, efficacy)}});
+                    {"intensity", reading_json({light.intensity, 0}, lumens_per_watt)}});
   return list;
 }
 
-json readings_json(const render::MeterReadings& m, Efficacy efficacy) {
+json readings_json(const render::MeterReadings& m, const Efficacies& efficacies) {
   return {{"position", vector_json(m.point.position)},
           {"normal", vector_json(m.point.normal)},
-          {"radiance", reading_json(m.radiance, efficacy)},
-          {"irradiance", reading_json(m.irradiance, efficacy)},
-          {"emitted_flux", reading_json({m.emitted_flux, 0}, efficacy)},
-          {"emitted_exitance", reading_json({m.emitted_exitance, 0}, efficacy)},
-          {"lights", lights_json(m, efficacy)},
-          {"lumens_per_watt", lumens_per_watt(efficacy)},
+          {"radiance", reading_json(m.radiance, efficacies.radiance)},
+          {"irradiance", reading_json(m.irradiance, efficacies.irradiance)},
+          {"emitted_flux", reading_json({m.emitted_flux, 0}, efficacies.other)},
+          {"emitted_exitance", reading_json({m.emitted_exitance, 0}, efficacies.other)},
+          {"lights", lights_json(m, efficacies.other)},
+          {"lumens_per_watt", efficacies.other},
           {"spp", m.samples}};
 }
 
-void print(const LightQuantity& quantity, const render::MeterReading& r, Efficacy efficacy) {
+json spectrum_json(const render::MeasuredSpectrum& spectrum) {
+  json list = json::array();
+  for (size_t i = 0; i < render::MeasuredSpectrum::kBins; ++i)
+    list.push_back({{"wavelength", render::MeasuredSpectrum::wavelength(i)},
+                    {"radiance", spectrum.radiance[i]},
+                    {"standard_error", spectrum.standard_error[i]}});
+  return {{"luminance", spectrum.luminance()},
+          {"radiance", spectrum.total_radiance()},
+          {"lumens_per_watt", spectrum.luminous_efficacy()},
+          {"samples", std::move(list)}};
+}
+
+void print(const LightQuantity& quantity, const render::MeterReading& r, double lumens_per_watt) {
   const auto value = static_cast<double>(luminance(r.value));
   std::printf("%-18s %.5g ± %.2g %s   RGB %.5g %.5g %.5g\n", quantity.name, value, r.standard_error, quantity.unit,
               static_cast<double>(r.value.r), static_cast<double>(r.value.g), static_cast<double>(r.value.b));
-  std::printf("%-18s %.5g ± %.2g %s\n", quantity.radiometric_name, radiometric(value, efficacy),
-              radiometric(r.standard_error, efficacy), quantity.radiometric_unit);
+  std::printf("%-18s %.5g ± %.2g %s at %.4g lm/W\n", quantity.radiometric_name, value / lumens_per_watt,
+              r.standard_error / lumens_per_watt, quantity.radiometric_unit, lumens_per_watt);
 }
 
-void print_lights(const render::MeterReadings& m, Efficacy efficacy) {
+void print_lights(const render::MeterReadings& m, double lumens_per_watt) {
   for (const render::LightIntensity& light : m.lights) {
     const auto candela = static_cast<double>(luminance(light.intensity));
     std::printf("%-18s %.5g cd (%.5g W/sr) towards the point, from %.4g m\n", light.name.c_str(), candela,
-                radiometric(candela, efficacy), static_cast<double>(light.distance));
+                candela / lumens_per_watt, static_cast<double>(light.distance));
   }
+}
+
+void print(const render::MeasuredSpectrum& spectrum) {
+  std::printf("wavelength, nm   radiance, W/(m^2 sr nm)\n");
+  for (size_t i = 0; i < render::MeasuredSpectrum::kBins; ++i)
+    std::printf("%14.1f   %.4g ± %.1g\n", render::MeasuredSpectrum::wavelength(i), spectrum.radiance[i],
+                spectrum.standard_error[i]);
+}
+
+void print(const render::MeterReadings& m, const Efficacies& efficacies) {
+  print(kLuminance, m.radiance, efficacies.radiance);
+  print(kIlluminance, m.irradiance, efficacies.irradiance);
+  if (!is_black(m.emitted_flux)) print(kLuminousFlux, {m.emitted_flux, 0}, efficacies.other);
+  if (!is_black(m.emitted_exitance)) print(kLuminousExitance, {m.emitted_exitance, 0}, efficacies.other);
+}
+
+// The spectra of radiance and irradiance.
+struct MeasuredSpectra {
+  render::MeasuredSpectrum radiance, irradiance;
+
+  // Black spectra have no efficacy.
+  Efficacies efficacies(double other) const {
+    const auto known = [&](double efficacy) { return efficacy > 0 ? efficacy : other; };
+    return {known(radiance.luminous_efficacy()), known(irradiance.luminous_efficacy()), other};
+  }
+};
+Result<MeasuredSpectra> measure_spectra(const ProbeArguments& a, const render::Document& document,
+                                        const std::shared_ptr<const scene::CompiledScene>& scene,
+                                        const render::MeterPoint& point, const std::atomic<bool>& interrupted) {
+  const auto keep_going = [&] { return !interrupted; };
+  const auto radiance = render::measure_radiance_spectrum(document, scene, point, a.samples, keep_going);
+  if (!radiance) return radiance.error();
+  const auto irradiance = render::measure_irradiance_spectrum(document, *scene, point, a.samples, keep_going);
+  if (!irradiance) return irradiance.error();
+  return MeasuredSpectra{*radiance, *irradiance};
+}
+
+bool renders_spectra(const render::Document& document, const scene::CompiledScene& scene) {
+  return transport::model_for(scene, {}, {}, document.method.color).spectral;
 }
 
 int run_probe(const ProbeArguments& a) {
@@ -108,18 +168,24 @@ int run_probe(const ProbeArguments& a) {
   std::optional<render::MeterReading> received;
   if (!a.sensor.empty() && !interrupted)
     received = render::measure_received_flux(*document, *scene, *point, a.sensor[0], a.samples, a.threads);
+  const double chosen = lumens_per_watt(*efficacy);
+  Efficacies efficacies{chosen, chosen, chosen};
+  std::optional<MeasuredSpectra> spectra;
+  if ((a.spectrum || renders_spectra(*document, *scene)) && !interrupted) {
+    const auto measured = measure_spectra(a, *document, scene, *point, interrupted);
+    if (!measured && !interrupted) return fail(measured.error());
+    if (measured) spectra = *measured, efficacies = measured->efficacies(chosen);
+  }
   if (a.json) {
-    json j = readings_json(readings, *efficacy);
-    if (received) j["received_flux"] = reading_json(*received, *efficacy);
+    json j = readings_json(readings, efficacies);
+    if (received) j["received_flux"] = reading_json(*received, efficacies.irradiance);
+    if (spectra) j["spectrum"] = spectrum_json(spectra->radiance);
     std::printf("%s\n", j.dump(2).c_str());
   } else {
-    print(kLuminance, readings.radiance, *efficacy);
-    print(kIlluminance, readings.irradiance, *efficacy);
-    if (!is_black(readings.emitted_flux)) print(kLuminousFlux, {readings.emitted_flux, 0}, *efficacy);
-    if (!is_black(readings.emitted_exitance)) print(kLuminousExitance, {readings.emitted_exitance, 0}, *efficacy);
-    if (received) print(kReceivedFlux, *received, *efficacy);
-    print_lights(readings, *efficacy);
-    std::printf("at %.4g lm/W (--efficacy)\n", lumens_per_watt(*efficacy));
+    print(readings, efficacies);
+    if (received) print(kReceivedFlux, *received, efficacies.irradiance);
+    print_lights(readings, chosen);
+    if (a.spectrum && spectra) print(spectra->radiance);
   }
   return interrupted ? static_cast<int>(Fault::interrupted) : 0;
 }
@@ -152,7 +218,10 @@ Command probe_command() {
                       {.names = "--efficacy",
                        .target = &a->efficacy,
                        .doc = "Luminous efficacy for the conversion from lumens to watts: equal-energy, standard, "
-                              "daylight or maximal"},
+                              "daylight or maximal. Spectral rendering measures that of luminance and illuminance"},
+                      {.names = "--spectrum",
+                       .target = &a->spectrum,
+                       .doc = "Also the spectral radiance from the point, by wavelength"},
                       threads_option(a->threads),
                       json_flag(a->json)},
           .run = [a] { return run_probe(*a); }};

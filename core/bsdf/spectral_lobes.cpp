@@ -142,9 +142,9 @@ void AllLobes<SampledSpectrum>::assign(const AllLobes<Rgb>& lobes, const Wavelen
                              [&](const auto& lobe) -> SpectralLobe { return to_spectral(lobe, wavelengths); });
 }
 
-void AllLobes<SampledSpectrum>::assign_lambertian(const Rgb& albedo, const Wavelengths& wavelengths) {
+void AllLobes<SampledSpectrum>::assign_lambertian(const Color& albedo) {
   spectral_set(*this).clear();
-  spectral_set(*this).add(Lambert<SampledSpectrum>{uplift_reflectance(albedo, wavelengths)});
+  spectral_set(*this).add(Lambert<SampledSpectrum>{albedo});
 }
 
 void AllLobes<SampledSpectrum>::clear() { spectral_set(*this).clear(); }

@@ -19,7 +19,7 @@ class AllLobes<SampledSpectrum> {
   // Replaces the lobes by those of an RGB surface. `wavelengths` must outlive the set at the same address.
   void assign(const AllLobes<Rgb>& lobes, const Wavelengths& wavelengths);
   // Replaces the lobes by a Lambertian one.
-  void assign_lambertian(const Rgb& albedo, const Wavelengths& wavelengths);
+  void assign_lambertian(const Color& albedo);
 
   void clear();
   bool empty() const;

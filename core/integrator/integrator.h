@@ -22,6 +22,7 @@
 #include "integrator/pixel_block.h"
 #include "sampling/sampler.h"
 #include "scene/compiled_scene.h"
+#include "spectrum/wavelengths.h"
 #include "transport/model.h"
 
 namespace etendue::transport {
@@ -50,6 +51,12 @@ struct RenderContext {
 // the time. The times of the samples of one half-buffer are stratified over the shutter interval.
 RenderContext at_shared_time(RenderContext context, uint32_t sample);
 
+// The radiance of a path at its wavelengths, relative to illuminant D65.
+struct SpectralSample {
+  SampledSpectrum radiance;
+  Wavelengths wavelengths;
+};
+
 // The environment of a running task.
 struct TaskContext {
   // Polled at intervals; the task is cancelled when it returns false.
@@ -61,6 +68,8 @@ struct TaskContext {
   Stopwatch* overhead_timer = nullptr;
   // Follows the path of one pixel; null: none. Only integrators with Accumulation::per_pixel record their paths.
   transport::PathRecorder* recorder = nullptr;
+  // Receives the radiance of the paths of pixels in spectral rendering; null: not needed.
+  std::vector<SpectralSample>* spectra = nullptr;
 };
 
 // Tasks that may run in parallel. The next phase starts after all of them.

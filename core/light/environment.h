@@ -6,6 +6,7 @@
 
 #include "base/vec.h"
 #include "image/image.h"
+#include "spectrum/emission_spectrum.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -44,6 +45,7 @@ struct Environment {
   bool visible = true;                    // to camera rays
   std::optional<Sky> sky = std::nullopt;  // what the map and the sun were computed from
   std::optional<SunDisk> sun = std::nullopt;
+  EmissionSpectrumRef spectrum = {};  // of all light from infinity; its RGB value multiplies the tint
 
   bool black() const { return is_black(tint); }
   friend bool operator==(const Environment&, const Environment&) = default;

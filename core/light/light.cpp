@@ -145,6 +145,8 @@ Triple color_parameter(const Rgb& color) {
   return {"color", "Colour", Vec3(color.r, color.g, color.b), {0, 1}, "Multiplies the intensity"};
 }
 
+constexpr const char* kSpectrumParameter = "spectrum";
+
 }  // namespace
 
 const std::vector<LightTypeInfo>& light_type_infos() {
@@ -166,6 +168,7 @@ Light::Light() : model(find_entry("point")->model) {}
 std::vector<ParameterInfo> Light::parameters() const {
   std::vector<ParameterInfo> infos;
   append_description(color_parameter(color), infos);
+  append_description(emission_spectrum_parameter(kSpectrumParameter, spectrum), infos);
   for (ParameterInfo& info : model->parameters()) infos.push_back(std::move(info));
   return infos;
 }
@@ -182,13 +185,17 @@ bool Light::set(std::string_view key, const Value& value) {
     color = {c.value.x, c.value.y, c.value.z};
     return true;
   }
+  if (key == kSpectrumParameter) {
+    spectrum = emission_spectrum_or_none(std::get<std::string>(value));
+    return true;
+  }
   if (!find_parameter(info().parameters, key)) return false;
   model = model->with(key, value);
   return true;
 }
 
 bool operator==(const Light& a, const Light& b) {
-  return a.name == b.name && a.color == b.color && (a.model == b.model || a.model->equals(*b.model));
+  return a.name == b.name && a.color == b.color && a.spectrum == b.spectrum && (a.model == b.model || a.model->equals(*b.model));
 }
 
 Light make_light(std::string_view type, std::initializer_list<std::pair<std::string_view, Value>> parameters) {

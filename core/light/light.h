@@ -12,6 +12,7 @@
 #include "base/vec.h"
 #include "light/environment.h"
 #include "light/light_type.h"
+#include "spectrum/emission_spectrum.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -65,6 +66,7 @@ class LightModel {
 struct Light {
   std::string name;
   Rgb color{1};  // multiplies the intensity
+  EmissionSpectrumRef spectrum = {};
   std::shared_ptr<const LightModel> model;
 
   // A point light with default parameters.
@@ -73,9 +75,11 @@ struct Light {
   const LightTypeInfo& info() const { return model->info(); }
   bool is_area_light() const { return info().description.light_class == LightClass::area; }
   float intensity() const { return model->intensity(); }
-  Rgb flux() const { return model->flux(color); }
+  // The RGB value of spectrum and colour for an intensity of 1.
+  Rgb emitted_color() const { return spectrum.applied_to(color); }
+  Rgb flux() const { return model->flux(emitted_color()); }
 
-  // color.r, color.g, color.b and the parameters of the type, with the current values as defaults.
+  // color.r, color.g, color.b, spectrum and the parameters of the type, with the current values as defaults.
   std::vector<ParameterInfo> parameters() const;
   // The value of a parameter, if the type has it.
   std::optional<Value> parameter(std::string_view key) const;

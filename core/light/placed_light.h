@@ -6,6 +6,7 @@
 #include "geometry/motion.h"
 #include "light/light_place.h"
 #include "light/light_type_traits.h"
+#include "spectrum/emission_spectrum.h"
 
 namespace etendue {
 
@@ -16,6 +17,8 @@ struct PlacedLight {
   // The light that it is, or is a point sample of.
   std::string name;
   const LightTypeDescription* type = nullptr;
+  // Of the light; null: its colour determines it.
+  std::shared_ptr<const EmissionSpectrum> spectrum = nullptr;
 
   LightPlace at(float time) const { return motion ? LightPlace(motion->matrix_at(time)) : place; }
   // f of the emitter.

@@ -34,6 +34,7 @@ Rgb reflectance(const Vec4& c) {
 }  // namespace
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
+  description.emission = m.emission_spectrum.applied_to(m.emission);
   resolve_textures(textures);
   has_normal_map = normal || (clearcoat_normal && m.clearcoat > 0);
   has_coat_normal = has_normal_map && m.clearcoat > 0;
@@ -51,6 +52,7 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   else
     classify_gltf_surface();
   needs_tangent_frame = has_normal_map || is_anisotropic;
+  if (is_lambertian) base_spectrum = RgbSpectrum::reflectance(Rgb(base_factor.x, base_factor.y, base_factor.z));
 }
 
 void SurfaceMaterial::resolve_textures(const std::vector<Texture>& textures) {

@@ -13,6 +13,7 @@
 #include "bsdf/lobes/layered_base.h"
 #include "material/texture.h"
 #include "medium/medium.h"
+#include "spectrum/emission_spectrum.h"
 #include "spectrum/refractive_index.h"
 #include "spectrum/rgb.h"
 
@@ -37,6 +38,7 @@ struct Material {
 
   Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance, cd/m^2
   TextureUse emission_texture;  // sRGB
+  EmissionSpectrumRef emission_spectrum;  // ETENDUE_transport; its RGB value multiplies the emission
 
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;

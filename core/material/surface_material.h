@@ -35,7 +35,7 @@ struct SurfaceMaterial {
     }
   };
 
-  Material description;
+  Material description;  // its emission includes that of its spectrum
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
 
   // Which lobes the surface can have, at any point.
@@ -72,6 +72,8 @@ struct SurfaceMaterial {
   // The textures of lobes beyond StandardLobes. They stand last to keep the members of common materials together.
   Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,
       iridescence_thickness, diffuse_transmission, diffuse_transmission_color;
+
+  RgbSpectrum base_spectrum;  // of a Lambertian surface: the reflectance with the colour `base_factor`
 
   SurfaceMaterial() = default;
   // References the textures, which must outlive the material. A use of a missing or empty texture counts as none.

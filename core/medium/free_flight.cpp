@@ -5,13 +5,26 @@
 
 namespace etendue {
 
-FreeFlight::FreeFlight(const Rgb& throughput, float random) {
-  const Rgb positive(std::max(throughput.r, 0.0f), std::max(throughput.g, 0.0f), std::max(throughput.b, 0.0f));
-  const float sum = positive.r + positive.g + positive.b;
-  probability_ = sum > 0 && std::isfinite(sum) ? positive / sum : Rgb(1.0f / 3);
+namespace {
+
+// Relative probabilities: positive values over their sum, or equal ones if the sum is 0 or not finite.
+template <class Color>
+Color normalized_or(const Color& values, const Color& otherwise) {
+  float sum = 0;
+  for (int c = 0; c < kChannels<Color>; ++c) sum += values[c];
+  return sum > 0 && std::isfinite(sum) ? values / sum : otherwise;
+}
+
+}  // namespace
+
+template <class Color>
+BasicFreeFlight<Color>::BasicFreeFlight(const Color& throughput, float random) {
+  Color positive;
+  for (int c = 0; c < kChannels<Color>; ++c) positive[c] = std::max(throughput[c], 0.0f);
+  probability_ = normalized_or(positive, Color(1.0f / kChannels<Color>));
   float below = 0;
   // The last channel with a positive probability takes the rest.
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < kChannels<Color>; ++c) {
     if (!(probability_[c] > 0)) continue;
     channel_ = c;
     if (random < below + probability_[c]) break;
@@ -21,17 +34,20 @@ FreeFlight::FreeFlight(const Rgb& throughput, float random) {
   remaining_ = -std::log1p(-stretched);
 }
 
-FreeFlight::FreeFlight(const Rgb& densities, int channel, float random)
+template <class Color>
+BasicFreeFlight<Color>::BasicFreeFlight(const Color& densities, int channel, float random)
     : probability_(densities), channel_(channel), remaining_(-std::log1p(-std::min(random, kOneMinusEpsilon))) {}
 
-FreeFlight FreeFlight::without_collision(const Rgb& throughput) {
-  FreeFlight flight(throughput, 0);
+template <class Color>
+BasicFreeFlight<Color> BasicFreeFlight<Color>::without_collision(const Color& throughput) {
+  BasicFreeFlight flight(throughput, 0);
   flight.remaining_ = kInfinity;
   return flight;
 }
 
-std::optional<float> FreeFlight::pass(const HomogeneousMedium& medium, float length) {
-  const Rgb depth = medium.optical_depth(length);
+template <class Color>
+std::optional<float> BasicFreeFlight<Color>::pass(const Coefficients& medium, float length) {
+  const Color depth = medium.optical_depth(length);
   if (remaining_ >= depth[channel_]) {
     remaining_ -= depth[channel_];
     depth_ += depth;
@@ -44,9 +60,12 @@ std::optional<float> FreeFlight::pass(const HomogeneousMedium& medium, float len
   return distance;
 }
 
-std::optional<float> FreeFlight::pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
+template <class Color>
+std::optional<float> BasicFreeFlight<Color>::pass(const HeterogeneousMedium& medium,
+                                                  const HeterogeneousCoefficients<Color>& coefficients,
+                                                  const RaySpan& span, RandomStream& random) {
   const GridRay ray = medium.in_grid(span);
-  const float metres = HeterogeneousMedium::metres(span), chosen = medium.extinction[channel_];
+  const float metres = HeterogeneousMedium::metres(span), chosen = coefficients.extinction[channel_];
   std::optional<float> collision;
   medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
     const float per_parameter = cell.highest * metres;
@@ -54,70 +73,84 @@ std::optional<float> FreeFlight::pass(const HeterogeneousMedium& medium, const R
       const float depth = chosen * per_parameter * (to - from);
       if (!(remaining_ < depth)) {
         remaining_ -= depth;
-        depth_ += medium.extinction * (per_parameter * (to - from));
+        depth_ += coefficients.extinction * (per_parameter * (to - from));
         return true;
       }
       const float step = remaining_ / (chosen * per_parameter);
-      depth_ += medium.extinction * (per_parameter * step);
+      depth_ += coefficients.extinction * (per_parameter * step);
       from += step;
       const Vec3 p = ray.at(from);
       const float density = medium.grid->density(p);
-      if (medium.emits()) emitted_ += weight(medium.extinction * cell.highest, medium.emitted(p, density));
+      if (medium.emits())
+        emitted_ +=
+            weight(coefficients.extinction * cell.highest, coefficients.emission_of(medium.emitted(p, density)));
       if (random.next() * cell.highest < density) {
-        extinction_ = medium.extinction;
-        scattering_ = medium.scattering;
+        extinction_ = coefficients.extinction;
+        scattering_ = coefficients.scattering;
         density_ = density;
         collision = from;
         return false;
       }
-      depth_ -= medium.log_extinction - Rgb(medium.log_extinction[channel_]);
+      depth_ -= coefficients.log_extinction - Color(coefficients.log_extinction[channel_]);
       remaining_ = random.next_exponential();
     }
   });
   return collision;
 }
 
-Rgb FreeFlight::densities() const {
+template <class Color>
+Color BasicFreeFlight<Color>::densities() const {
   const float least = least_depth();
-  Rgb densities(0);
-  for (int c = 0; c < 3; ++c)
+  Color densities(0);
+  for (int c = 0; c < kChannels<Color>; ++c)
     if (probability_[c] > 0) densities[c] = probability_[c] * std::exp(least - depth_[c]) * extinction_[c];
-  const float sum = densities.r + densities.g + densities.b;
-  return sum > 0 && std::isfinite(sum) ? densities / sum : probability_;
+  return normalized_or(densities, probability_);
 }
 
-Rgb FreeFlight::weight() const { return weight(extinction_, scattering_); }
+template <class Color>
+Color BasicFreeFlight<Color>::weight() const {
+  return weight(extinction_, scattering_);
+}
 
 // Exponentials are taken relative to the smallest optical depth, because all of them may underflow.
-float FreeFlight::least_depth() const {
+template <class Color>
+float BasicFreeFlight<Color>::least_depth() const {
   float least = kInfinity;
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < kChannels<Color>; ++c)
     if (probability_[c] > 0) least = std::min(least, depth_[c]);
   return least;
 }
 
-Rgb FreeFlight::weight(const Rgb& collision_density, const Rgb& value) const {
+template <class Color>
+Color BasicFreeFlight<Color>::weight(const Color& collision_density, const Color& value) const {
   const float least = least_depth();
-  Rgb weight(0);
+  Color weight(0);
   float density = 0;
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < kChannels<Color>; ++c) {
     if (!(probability_[c] > 0)) continue;  // the throughput of this channel is 0
     const float transmittance = std::exp(least - depth_[c]);
     density += probability_[c] * transmittance * collision_density[c];
     weight[c] = transmittance * value[c];
   }
-  return density > 0 ? weight * absorption_ / density : Rgb(0);
+  return density > 0 ? weight * absorption_ / density : Color(0);
 }
 
-float FreeFlight::survival() const {
-  return (std::exp(-depth_.r) + std::exp(-depth_.g) + std::exp(-depth_.b)) * (1.0f / 3);
+template <class Color>
+float BasicFreeFlight<Color>::survival() const {
+  float sum = 0;
+  for (int c = 0; c < kChannels<Color>; ++c) sum += std::exp(-depth_[c]);
+  return sum * (1.0f / kChannels<Color>);
 }
 
-float FreeFlight::collision_density(const HomogeneousMedium& medium, float distance) const {
-  const Rgb transmittance = medium.transmittance(distance);
+template <class Color>
+float BasicFreeFlight<Color>::collision_density(const Coefficients& medium, float distance) const {
+  const Color transmittance = medium.transmittance(distance);
   float density = 0;
-  for (int c = 0; c < 3; ++c) density += probability_[c] * medium.extinction[c] * transmittance[c];
+  for (int c = 0; c < kChannels<Color>; ++c) density += probability_[c] * medium.extinction[c] * transmittance[c];
   return density;
 }
+
+template class BasicFreeFlight<Rgb>;
+template class BasicFreeFlight<SampledSpectrum>;
 
 }  // namespace etendue

@@ -13,6 +13,8 @@
 // the same weights, because the throughput of a channel is then proportional to that density. A kept channel can be
 // stratified over the samples of a pixel.
 //
+// The channels are the three colours of Rgb or the four wavelengths of SampledSpectrum.
+//
 // Homogeneous media that do not scatter attenuate without collisions, so that a segment through them has no variance.
 //
 // Heterogeneous media are passed by delta tracking [Woodcock et al. 1965] with the majorant of each coarse cell. The
@@ -31,59 +33,69 @@
 
 namespace etendue {
 
-class FreeFlight {
+template <class Color>
+class BasicFreeFlight {
  public:
+  using Coefficients = MediumCoefficients<Color>;
+
   // `throughput` is that of the path at the start; `random` is uniform in [0, 1).
-  FreeFlight(const Rgb& throughput, float random);
+  BasicFreeFlight(const Color& throughput, float random);
   // A flight of a path that keeps one colour channel, which was chosen uniformly. `densities` are the relative densities
   // of the path so far in the channels; their sum is 1.
-  FreeFlight(const Rgb& densities, int channel, float random);
+  BasicFreeFlight(const Color& densities, int channel, float random);
   // A flight from the same start that passes all media: for points on a segment that is known to have no collision
   // before them.
-  static FreeFlight without_collision(const Rgb& throughput);
+  static BasicFreeFlight without_collision(const Color& throughput);
 
   // Passes through `length` metres, possibly infinite, of a medium. Returns the distance to a collision inside it, in
   // metres; the flight ends there.
-  std::optional<float> pass(const HomogeneousMedium& medium, float length);
-  // The same through a heterogeneous medium; returns the parameter of the ray. `random` is read after the first collision
-  // with the majorant.
-  std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random);
+  std::optional<float> pass(const Coefficients& medium, float length);
+  // The same through a heterogeneous medium, whose coefficients at density 1 are given; returns the parameter of the ray.
+  // `random` is read after the first collision with the majorant.
+  std::optional<float> pass(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                            const RaySpan& span, RandomStream& random);
+  std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random)
+    requires(std::is_same_v<Color, Rgb>) {
+    return pass(medium, medium, span, random);
+  }
   // Passes through a medium that does not scatter.
-  void attenuate(const Rgb& transmittance) { absorption_ *= transmittance; }
+  void attenuate(const Color& transmittance) { absorption_ *= transmittance; }
 
   // The factor of the throughput: after `pass` has returned a collision, or at the end of the flight.
-  Rgb weight() const;
+  Color weight() const;
   // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this flight,
   // it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques use it.
   float survival() const;
   // The relative densities of the path up to here in the channels, for a path that keeps its channel.
-  Rgb densities() const;
+  Color densities() const;
   // After `pass` has returned a collision: the scattering coefficient there, 1/m.
-  Rgb scattering_at_collision() const { return scattering_ * density_; }
+  Color scattering_at_collision() const { return scattering_ * density_; }
   // The density per metre of a collision after `distance` metres, if the flight starts in this medium.
-  float collision_density(const HomogeneousMedium& medium, float distance) const;
+  float collision_density(const Coefficients& medium, float distance) const;
 
   // Adds radiance that reaches the current end of the flight, before a collision.
-  void add_emission(const Rgb& radiance) { emitted_ += weight() * radiance; }
+  void add_emission(const Color& radiance) { emitted_ += weight() * radiance; }
   // The emitted radiance that reaches the start of the flight, estimated at each collision with a majorant. Its factor
   // is the throughput at the start.
-  const Rgb& emitted() const { return emitted_; }
+  const Color& emitted() const { return emitted_; }
 
  private:
-  Rgb weight(const Rgb& collision_density, const Rgb& value) const;
+  Color weight(const Color& collision_density, const Color& value) const;
   // The smallest optical depth of a channel that has a probability.
   float least_depth() const;
 
-  Rgb probability_{0};  // of the channels
+  Color probability_{0};  // of the channels
   int channel_ = 0;
   float remaining_ = 0;  // optical depth to the collision, in the chosen channel
-  Rgb depth_{0};         // optical depth so far
-  Rgb absorption_{1};    // transmittance of media without scattering
-  Rgb emitted_{0};
+  Color depth_{0};       // optical depth so far
+  Color absorption_{1};  // transmittance of media without scattering
+  Color emitted_{0};
   // At the collision: extinction and scattering coefficients of the medium, 1/m; 1 without a collision.
   // In heterogeneous media, those at density 1.
-  Rgb extinction_{1}, scattering_{1};
+  Color extinction_{1}, scattering_{1};
   float density_ = 1;  // of the medium at the collision
 };
+
+using FreeFlight = BasicFreeFlight<Rgb>;
 
 }  // namespace etendue

@@ -25,16 +25,28 @@ std::vector<Rgb> emission_by_temperature(const Rgb& emission, float highest) {
 
 HeterogeneousMedium::HeterogeneousMedium(const MediumDescription& m, const Rgb& additional,
                                          std::shared_ptr<const DensityGrid> density, const Mat4& to_grid)
-    : scattering(m.scattering),
-      extinction(m.scattering + m.absorption + additional),
-      log_extinction(std::log(extinction.r), std::log(extinction.g), std::log(extinction.b)),
+    : spectra(m.scattering, m.absorption + additional),
       emission(m.emission * m.absorption),
       temperature(m.temperature),
       estimator(m.estimator),
       phase(m.phase.get()),
       grid(std::move(density)),
       world_to_grid(to_grid) {
+  scattering = m.scattering;
+  extinction = m.scattering + m.absorption + additional;
+  log_extinction = Rgb(std::log(extinction.r), std::log(extinction.g), std::log(extinction.b));
   if (temperature > 0) emission_table = emission_by_temperature(emission, temperature);
+}
+
+HeterogeneousCoefficients<SampledSpectrum> HeterogeneousMedium::at(const Wavelengths& wavelengths) const {
+  HeterogeneousCoefficients<SampledSpectrum> result;
+  result.scattering = spectra.scattering.at(wavelengths);
+  result.absorption = spectra.absorption.at(wavelengths);
+  result.extinction = result.scattering + result.absorption;
+  for (int i = 0; i < SampledSpectrum::kSize; ++i) result.log_extinction[i] = std::log(result.extinction[i]);
+  result.spectra = &spectra;
+  result.wavelengths = &wavelengths;
+  return result;
 }
 
 GridRay HeterogeneousMedium::in_grid(const RaySpan& span) const {

@@ -16,11 +16,30 @@ struct RaySpan {
   float from = 0, to = 0;
 };
 
-struct HeterogeneousMedium {
-  Rgb scattering{0};      // at density 1, 1/m
-  Rgb extinction{0};      // at density 1, 1/m
-  Rgb log_extinction{0};  // logarithm of `extinction`; -infinity for 0
-  Rgb emission{0};        // at density 1 and the highest temperature: radiance per metre
+// Coefficients at density 1, 1/m.
+template <class Color>
+struct HeterogeneousCoefficients {
+  Color scattering{0};
+  Color extinction{0};
+  Color log_extinction{0};  // logarithm of `extinction`; -infinity for 0
+
+  bool scatters() const { return !is_black(scattering); }
+  // The emission coefficient whose RGB value is given, in the colours of the path.
+  const Color& emission_of(const Color& rgb) const { return rgb; }
+};
+template <>
+struct HeterogeneousCoefficients<SampledSpectrum> {
+  SampledSpectrum scattering, extinction, log_extinction, absorption;
+  const MediumSpectra* spectra = nullptr;
+  const Wavelengths* wavelengths = nullptr;
+
+  bool scatters() const { return !is_black(scattering); }
+  SampledSpectrum emission_of(const Rgb& rgb) const { return spectra->emission_at(rgb, absorption, *wavelengths); }
+};
+
+struct HeterogeneousMedium : HeterogeneousCoefficients<Rgb> {
+  MediumSpectra spectra;
+  Rgb emission{0};  // at density 1 and the highest temperature: radiance per metre
   // Of the hottest part, kelvin; 0: the colour and brightness of emission do not depend on the temperature.
   float temperature = 0;
   TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
@@ -33,8 +52,9 @@ struct HeterogeneousMedium {
   HeterogeneousMedium(const MediumDescription& m, const Rgb& additional, std::shared_ptr<const DensityGrid> density,
                       const Mat4& to_grid);
 
-  bool scatters() const { return !is_black(scattering); }
   bool emits() const { return !is_black(emission); }
+  // The coefficients at the wavelengths of a path, which must outlive them.
+  HeterogeneousCoefficients<SampledSpectrum> at(const Wavelengths& wavelengths) const;
 
   // The part of a ray inside the grid. Parameters are those of the ray; `metres` is the length of one unit of them.
   GridRay in_grid(const RaySpan& span) const;
@@ -44,15 +64,28 @@ struct HeterogeneousMedium {
   Rgb emitted(const Vec3& p, float density) const;
 };
 
-// An estimate of the transmittance of a span without bias, by the estimator of the medium.   [Lang, eq. 4.59]
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random);
+// An estimate of the transmittance of a span without bias, by a given estimator.   [Lang, eq. 4.59]
+template <class Color>
+Color estimated_transmittance(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                              const RaySpan& span, TransmittanceEstimator estimator, RandomStream& random);
+inline Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span,
+                                   TransmittanceEstimator estimator, RandomStream& random) {
+  return estimated_transmittance<Rgb>(medium, medium, span, estimator, random);
+}
 
-// The same by a given estimator.
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, TransmittanceEstimator estimator,
-                            RandomStream& random);
+// The same by the estimator of the medium.
+inline Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
+  return estimated_transmittance(medium, span, medium.estimator, random);
+}
 
 // Ratio tracking that also estimates the emitted radiance that reaches the start of the span.
-Rgb transmittance_and_emission(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
-                               Rgb& emitted);
+template <class Color>
+Color transmittance_and_emission(const HeterogeneousMedium& medium,
+                                 const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span,
+                                 RandomStream& random, Color& emitted);
+inline Rgb transmittance_and_emission(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
+                                      Rgb& emitted) {
+  return transmittance_and_emission<Rgb>(medium, medium, span, random, emitted);
+}
 
 }  // namespace etendue

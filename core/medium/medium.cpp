@@ -14,18 +14,14 @@ Rgb emission_coefficient(const MediumDescription& m) {
 
 }  // namespace
 
-HomogeneousMedium::HomogeneousMedium(const MediumDescription& m)
-    : scattering(m.scattering),
-      extinction(m.scattering + m.absorption),
-      emission(emission_coefficient(m)),
+HomogeneousMedium::HomogeneousMedium(const MediumDescription& m, const Rgb& additional)
+    : MediumCoefficients<Rgb>{m.scattering, m.scattering + m.absorption + additional, emission_coefficient(m)},
+      spectra(m.scattering, m.absorption + additional),
       phase(m.phase.get()) {}
 
-Rgb HomogeneousMedium::emitted(float length) const {
-  const Rgb depth = optical_depth(length);
-  Rgb radiance(0);
-  for (int c = 0; c < 3; ++c)
-    if (emission[c] > 0) radiance[c] = emission[c] * -std::expm1(-depth[c]) / extinction[c];
-  return radiance;
+MediumCoefficients<SampledSpectrum> HomogeneousMedium::at(const Wavelengths& wavelengths) const {
+  const SampledSpectrum sigma_s = spectra.scattering.at(wavelengths), sigma_a = spectra.absorption.at(wavelengths);
+  return {sigma_s, sigma_s + sigma_a, spectra.emission_at(emission, sigma_a, wavelengths)};
 }
 
 }  // namespace etendue

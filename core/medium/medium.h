@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "medium/density_field.h"
+#include "medium/medium_spectra.h"
 #include "medium/phase_function.h"
 #include "spectrum/rgb.h"
 
@@ -43,30 +44,16 @@ struct MediumDescription {
 };
 
 // A medium in the form that rendering reads.
-struct HomogeneousMedium {
-  Rgb scattering{0};  // 1/m
-  Rgb extinction{0};  // scattering plus absorption, 1/m
-  Rgb emission{0};    // radiance per metre
+struct HomogeneousMedium : MediumCoefficients<Rgb> {
+  MediumSpectra spectra;
   std::shared_ptr<const PhaseFunction> phase;
 
   HomogeneousMedium() = default;
-  explicit HomogeneousMedium(const MediumDescription& m);
+  // `additional` is further absorption, 1/m.
+  explicit HomogeneousMedium(const MediumDescription& m, const Rgb& additional = Rgb(0));
 
-  bool scatters() const { return !is_black(scattering); }
-  bool emits() const { return !is_black(emission); }
-  // Optical depth of a path of this length in metres, which may be infinite.
-  Rgb optical_depth(float length) const {
-    Rgb depth;
-    for (int c = 0; c < 3; ++c) depth[c] = extinction[c] > 0 ? extinction[c] * length : 0;
-    return depth;
-  }
-  // exp(-optical depth).                                                                     [Lang, eq. 4.59]
-  Rgb transmittance(float length) const {
-    const Rgb depth = optical_depth(length);
-    return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)};
-  }
-  // The radiance that this length of the medium emits towards its start.                     [Lang, eq. 4.59]
-  Rgb emitted(float length) const;
+  // The coefficients at the wavelengths of a path.
+  MediumCoefficients<SampledSpectrum> at(const Wavelengths& wavelengths) const;
 };
 
 }  // namespace etendue

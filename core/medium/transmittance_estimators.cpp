@@ -5,23 +5,30 @@
 namespace etendue {
 namespace {
 
-Rgb exponential(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
+template <class Color>
+float smallest_component(const Color& color) {
+  float smallest = color[0];
+  for (int c = 1; c < kChannels<Color>; ++c) smallest = std::min(smallest, color[c]);
+  return smallest;
+}
 
 // Russian roulette for channels whose estimate has become small: they keep their mean. One number for all channels, so
 // that grey stays grey.
-void terminate_small_channels(Rgb& estimate, RandomStream& random) {
+template <class Color>
+void terminate_small_channels(Color& estimate, RandomStream& random) {
   constexpr float kSmall = 0.1f;
-  if (std::min({estimate.r, estimate.g, estimate.b}) >= kSmall) return;
+  if (smallest_component(estimate) >= kSmall) return;
   const float number = random.next() * kSmall;
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < kChannels<Color>; ++c)
     if (estimate[c] < kSmall) estimate[c] = number < estimate[c] ? kSmall : 0;
 }
 
 // The largest extinction of the channels that contribute to an estimate. Collisions beyond its majorant have no effect.
-float largest_extinction(const HeterogeneousMedium& medium, const Rgb& estimate) {
+template <class Color>
+float largest_extinction(const HeterogeneousCoefficients<Color>& coefficients, const Color& estimate) {
   float largest = 0;
-  for (int c = 0; c < 3; ++c)
-    if (estimate[c] > 0) largest = std::max(largest, medium.extinction[c]);
+  for (int c = 0; c < kChannels<Color>; ++c)
+    if (estimate[c] > 0) largest = std::max(largest, coefficients.extinction[c]);
   return largest;
 }
 
@@ -50,20 +57,21 @@ void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, f
 //
 // Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
 // fraction of null collisions, in each channel.
-Rgb ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random, Rgb* emitted) {
+template <class Color>
+Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random, Color* emitted) {
   const GridRay ray = medium.in_grid(span);
-  Rgb estimate(1);
-  float largest = largest_extinction(medium, estimate);
+  Color estimate(1);
+  float largest = largest_extinction(coefficients, estimate);
   for_each_collision(
       medium, ray, HeterogeneousMedium::metres(span), random, [](const DensityGrid::Cell&, float) {},
       [&](const DensityGrid::Cell& cell) { return cell.highest * largest; },
       [&](float at, const DensityGrid::Cell& cell) {
         const Vec3 p = ray.at(at);
         const float density = std::min(medium.grid->density(p), cell.highest), rate = cell.highest * largest;
-        if (emitted) *emitted += estimate * medium.emitted(p, density) / rate;
-        estimate *= Rgb(1) - medium.extinction * (density / rate);
+        if (emitted) *emitted += estimate * coefficients.emission_of(medium.emitted(p, density)) / rate;
+        estimate *= Color(1) - coefficients.extinction * (density / rate);
         terminate_small_channels(estimate, random);
-        largest = largest_extinction(medium, estimate);
+        largest = largest_extinction(coefficients, estimate);
       });
   return estimate;
 }
@@ -72,10 +80,11 @@ Rgb ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, Rando
 //
 // The lowest density of each coarse cell attenuates in closed form. Ratio tracking estimates the rest, whose majorant is
 // the difference between the highest and the lowest density.
-Rgb residual_ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
+template <class Color>
+Color residual_ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random) {
   const GridRay ray = medium.in_grid(span);
-  Rgb estimate(1);
-  float largest = largest_extinction(medium, estimate);
+  Color estimate(1);
+  float largest = largest_extinction(coefficients, estimate);
   double control = 0;  // integral of the lowest densities
   for_each_collision(
       medium, ray, HeterogeneousMedium::metres(span), random,
@@ -85,49 +94,61 @@ Rgb residual_ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& sp
       [&](const DensityGrid::Cell& cell) { return (cell.highest - cell.lowest) * largest; },
       [&](float at, const DensityGrid::Cell& cell) {
         const float residual = std::clamp(medium.grid->density(ray.at(at)), cell.lowest, cell.highest) - cell.lowest;
-        estimate *= Rgb(1) - medium.extinction * (residual / ((cell.highest - cell.lowest) * largest));
+        estimate *= Color(1) - coefficients.extinction * (residual / ((cell.highest - cell.lowest) * largest));
         terminate_small_channels(estimate, random);
-        largest = largest_extinction(medium, estimate);
+        largest = largest_extinction(coefficients, estimate);
       });
-  return estimate * exponential(medium.extinction * static_cast<float>(control));
+  return estimate * exponential_of(coefficients.extinction * static_cast<float>(control));
 }
 
 // 1 if a free flight passes the span, else 0; in several colours weighted by the balance heuristic.
-Rgb delta_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
-  FreeFlight flight(Rgb(1), random.next());
-  return flight.pass(medium, span, random) ? Rgb(0) : flight.weight();
+template <class Color>
+Color delta_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random) {
+  BasicFreeFlight<Color> flight(Color(1), random.next());
+  return flight.pass(medium, coefficients, span, random) ? Color(0) : flight.weight();
 }
 
 // The optical depth voxel by voxel, in closed form.                                          [Amanatides and Woo 1987]
-Rgb regular_tracking(const HeterogeneousMedium& medium, const RaySpan& span) {
+template <class Color>
+Color regular_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span) {
   const auto depth = static_cast<float>(medium.grid->integral(medium.in_grid(span)));
-  return exponential(medium.extinction * (depth * HeterogeneousMedium::metres(span)));
+  return exponential_of(coefficients.extinction * (depth * HeterogeneousMedium::metres(span)));
 }
 
 }  // namespace
 
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, TransmittanceEstimator estimator,
-                            RandomStream& random) {
+template <class Color>
+Color estimated_transmittance(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                              const RaySpan& span, TransmittanceEstimator estimator, RandomStream& random) {
   switch (estimator) {
     case TransmittanceEstimator::delta:
-      return delta_tracking(medium, span, random);
+      return delta_tracking(medium, coefficients, span, random);
     case TransmittanceEstimator::ratio:
-      return ratio_tracking(medium, span, random, nullptr);
+      return ratio_tracking<Color>(medium, coefficients, span, random, nullptr);
     case TransmittanceEstimator::residual_ratio:
-      return residual_ratio_tracking(medium, span, random);
+      return residual_ratio_tracking(medium, coefficients, span, random);
     case TransmittanceEstimator::regular:
-      return regular_tracking(medium, span);
+      return regular_tracking(medium, coefficients, span);
   }
-  return Rgb(1);
+  return Color(1);
 }
 
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
-  return estimated_transmittance(medium, span, medium.estimator, random);
+template <class Color>
+Color transmittance_and_emission(const HeterogeneousMedium& medium,
+                                 const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span,
+                                 RandomStream& random, Color& emitted) {
+  return ratio_tracking(medium, coefficients, span, random, &emitted);
 }
 
-Rgb transmittance_and_emission(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
-                               Rgb& emitted) {
-  return ratio_tracking(medium, span, random, &emitted);
-}
+template Rgb estimated_transmittance(const HeterogeneousMedium&, const HeterogeneousCoefficients<Rgb>&, const RaySpan&,
+                                     TransmittanceEstimator, RandomStream&);
+template SampledSpectrum estimated_transmittance(const HeterogeneousMedium&,
+                                                 const HeterogeneousCoefficients<SampledSpectrum>&, const RaySpan&,
+                                                 TransmittanceEstimator, RandomStream&);
+template Rgb transmittance_and_emission(const HeterogeneousMedium&, const HeterogeneousCoefficients<Rgb>&,
+                                        const RaySpan&, RandomStream&, Rgb&);
+template SampledSpectrum transmittance_and_emission(const HeterogeneousMedium&,
+                                                    const HeterogeneousCoefficients<SampledSpectrum>&, const RaySpan&,
+                                                    RandomStream&, SampledSpectrum&);
 
 }  // namespace etendue

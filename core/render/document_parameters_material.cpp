@@ -22,7 +22,7 @@ constexpr const char* kGltfModel = "gltf";
 // Whether a parameter of the glTF surface also applies to materials with a reflection model.
 bool applies_to_all_models(std::string_view name) {
   constexpr std::array<std::string_view, 8> kPrefixes{"base-color.", "alpha",     "normal-scale", "double-sided",
-                                                      "unlit",       "emission.", "attenuation-", "dispersion"};
+                                                      "unlit",       "emission", "attenuation-", "dispersion"};
   return std::ranges::any_of(kPrefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
@@ -120,6 +120,16 @@ class MaterialParameterList {
                [index = index_, member](Document& d, int c, float v) {
                  edit_scene(d, [&](scene::Scene& s) { (s.materials[index].*member)[c] = v; });
                });
+  }
+
+  void add_emission_spectrum() {
+    Text description = emission_spectrum_parameter("emission-spectrum", material_.emission_spectrum);
+    description.label = "Emission spectrum";
+    list_.push_back(make_parameter(section_, description, [index = index_](Document& d, const std::string& name) {
+      edit_scene(d, [&](scene::Scene& s) {
+        s.materials[index].emission_spectrum = emission_spectrum_or_none(name);
+      });
+    }));
   }
 
   // Editing the index or the dispersion replaces the formula of a glass.
@@ -255,6 +265,7 @@ void add_layers(MaterialParameterList& parameters, const Material& m) {
 void add_emission_and_opacity(MaterialParameterList& parameters, const Material& m) {
   parameters.add_color({"emission.r", "emission.g", "emission.b"}, "Emission", &Material::emission, 1e6f,
                        "Emitted luminance; glTF: emissiveFactor times emissiveStrength", "cd/m\u00b2");
+  parameters.add_emission_spectrum();
   parameters.add_number("alpha", "Opacity", &Material::alpha, {0, 1}, "Used by the alpha modes Mask and Blend");
   parameters.add(Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode,
                                    "Opaque; Mask: cut out below the cutoff; Blend: partly transparent"},

@@ -38,6 +38,12 @@ Document measurement(const Document& document, std::shared_ptr<const scene::Scen
   return d;
 }
 
+// The card must be distinguishable from the surface in single precision.
+float card_radius(const scene::CompiledScene& scene, const MeterPoint& point) {
+  const float distance_from_origin = std::max(glm::length(point.position), glm::length(point.eye));
+  return std::max(kCardRadius * scene.bounds().radius(), 1e-5f * distance_from_origin);
+}
+
 // The radiance of the card is its irradiance divided by pi.
 Document irradiance_measurement(const Document& document, const MeterPoint& point, float radius) {
   auto scene = std::make_shared<scene::Scene>(*document.scene);
@@ -200,9 +206,6 @@ MeterReading measure_received_flux(const Document& document, const scene::Compil
 
 void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
                    uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish) {
-  // The card must be distinguishable from the surface in single precision.
-  const float distance_from_origin = std::max(glm::length(point.position), glm::length(point.eye));
-  const float radius = std::max(kCardRadius * scene->bounds().radius(), 1e-5f * distance_from_origin);
   MeterReadings readings;
   readings.point = point;
   const EmittedFlux emitted = flux_of(*scene, point.instance);
@@ -210,13 +213,31 @@ void measure_light(const Document& document, std::shared_ptr<const scene::Compil
   if (emitted.area > 0) readings.emitted_exitance = emitted.flux / emitted.area;
   readings.lights = intensities_towards(*scene, point.position);
   Meter radiance(radiance_measurement(document, point), 1, scene, threads);
-  Meter irradiance(irradiance_measurement(document, point, radius), kPi, scene, threads);
+  Meter irradiance(irradiance_measurement(document, point, card_radius(*scene, point)), kPi, scene, threads);
   for (uint32_t n = std::min(samples, 4U);; n = std::min(samples, 2 * n)) {
     readings.radiance = radiance.read(n);
     readings.irradiance = irradiance.read(n);
     readings.samples = n;
     if (!publish(readings) || n == samples) return;
   }
+}
+
+Result<MeasuredSpectrum> measure_radiance_spectrum(const Document& document,
+                                                   std::shared_ptr<const scene::CompiledScene> scene,
+                                                   const MeterPoint& point, uint32_t samples,
+                                                   const std::function<bool()>& keep_going) {
+  const Document seen = radiance_measurement(document, point);
+  return measure_spectrum(seen, scene::compile(seen.scene, seen.camera, scene), samples, keep_going);
+}
+
+Result<MeasuredSpectrum> measure_irradiance_spectrum(const Document& document, const scene::CompiledScene& scene,
+                                                     const MeterPoint& point, uint32_t samples,
+                                                     const std::function<bool()>& keep_going) {
+  const Document card = irradiance_measurement(document, point, card_radius(scene, point));
+  const auto spectrum =
+      measure_spectrum(card, scene::compile(card.scene, card.camera, nullptr), samples, keep_going);
+  if (!spectrum) return spectrum.error();
+  return spectrum->times(double{kPi});
 }
 
 }  // namespace etendue::render

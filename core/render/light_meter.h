@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "render/measured_spectrum.h"
 #include "render/session.h"
 
 namespace etendue::render {
@@ -63,5 +64,15 @@ MeterReading measure_received_flux(const Document& document, const scene::Compil
 // `publish` returns false.
 void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
                    uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
+
+// The spectrum of the radiance from the point to the camera, and that of the irradiance at the point, in W/(m^2 nm).
+// An error says why the scene has no spectral rendering, or that `keep_going` returned false.
+Result<MeasuredSpectrum> measure_radiance_spectrum(const Document& document,
+                                                   std::shared_ptr<const scene::CompiledScene> scene,
+                                                   const MeterPoint& point, uint32_t samples,
+                                                   const std::function<bool()>& keep_going);
+Result<MeasuredSpectrum> measure_irradiance_spectrum(const Document& document, const scene::CompiledScene& scene,
+                                                     const MeterPoint& point, uint32_t samples,
+                                                     const std::function<bool()>& keep_going);
 
 }  // namespace etendue::render

@@ -35,9 +35,6 @@ std::string spectral_refusal(const integrator::IntegratorInfo& info, const trans
            "), so the image will be black: use an integrator that does (" +
            integrators_with(&integrator::IntegratorInfo::spectral) + "), or set render.color to rgb";
   const std::string spectral = "spectral rendering (" + decision_about(model, "colour").reason + ") ";
-  if (model.scattering || model.heterogeneous)
-    return spectral + "does not support media that scatter or emit light (" + decision_about(model, "media").reason +
-           "), so the image will be black: set render.color to rgb";
   if (scene.has_subsurface())
     return spectral +
            "does not support subsurface diffusion, which a material uses, so the image will be black: set "

@@ -17,10 +17,10 @@ RayInterval AtmosphereMedium::inside(const Ray& ray, const RayInterval& interval
           std::min(interval.to, static_cast<float>((-b + root) / a))};
 }
 
-Rgb AtmosphereMedium::transmittance(const Ray& ray, const RayInterval& interval) const {
+float AtmosphereMedium::length_inside(const Ray& ray, const RayInterval& interval) const {
   const RayInterval part = inside(ray, interval);
-  if (part.empty()) return Rgb(1);
-  return medium.transmittance((part.to - part.from) * std::sqrt(glm::dot(ray.direction, ray.direction)));
+  if (part.empty()) return 0;
+  return (part.to - part.from) * std::sqrt(glm::dot(ray.direction, ray.direction));
 }
 
 }  // namespace etendue::scene

@@ -20,8 +20,8 @@ struct AtmosphereMedium {
 
   // The part of an interval of the ray that lies inside the sphere.
   RayInterval inside(const Ray& ray, const RayInterval& interval) const;
-  // The transmittance of this interval of the ray if the medium is homogeneous. Its direction may have any length.
-  Rgb transmittance(const Ray& ray, const RayInterval& interval) const;
+  // The length of that part in metres. The direction of the ray may have any length.
+  float length_inside(const Ray& ray, const RayInterval& interval) const;
 };
 
 }  // namespace etendue::scene

@@ -24,12 +24,6 @@ Rgb absorption_of_attenuation(const Material& m) {
   return absorption;
 }
 
-HomogeneousMedium homogeneous_medium_inside(const Material& m) {
-  HomogeneousMedium medium(m.medium);
-  medium.extinction += absorption_of_attenuation(m);
-  return medium;
-}
-
 // Whether stochastic opacity may let rays pass the surface.
 bool may_pass_by_alpha(const InstanceData& instance, const SurfaceMaterial& material) {
   return material.has_alpha &&
@@ -148,7 +142,10 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     inside.attenuation_color = material.description.attenuation_color;
     inside.attenuation_distance = material.description.attenuation_distance;
     inside.absorption = material.description.medium.absorption;
-    if (material.description.medium.is_volume()) inside.medium = homogeneous_medium_inside(material.description);
+    const Rgb attenuation = absorption_of_attenuation(material.description);
+    inside.absorption_spectrum = AbsorptionSpectrum(inside.absorption + attenuation);
+    if (material.description.medium.is_volume())
+      inside.medium = HomogeneousMedium(material.description.medium, attenuation);
     inside.has_surface = !material.description.boundary_only || material.is_emissive;
     inside.priority = material.description.medium_priority;
     // The primitives of a node are adjacent.

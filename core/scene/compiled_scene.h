@@ -117,6 +117,13 @@ class CompiledScene final : public OpacityTest {
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
+  // The spectrum of a sampled light or of a surface; null if its colour determines it.
+  const EmissionSpectrum* emission_spectrum(const LightSample& sample) const {
+    return emission_spectra_ ? spectrum_of_light(sample) : nullptr;
+  }
+  static const EmissionSpectrum* emission_spectrum(const SurfacePoint& point) {
+    return point.material->description.emission_spectrum.spectrum.get();
+  }
   // The hit that corresponds to an emitted ray's origin on a triangle. `side` is the normal of the emitting side.
   void locate(const Emission& emission, Hit& hit, Vec3& side) const;
   // Emission along the ray, without the factor SurfacePoint::beam: radiance, or the quantity that Emission::radiance
@@ -169,6 +176,8 @@ class CompiledScene final : public OpacityTest {
   const Bounds& bounds() const { return bounds_; }
   size_t triangle_count() const { return triangles_; }
   bool has_transparency() const { return transparency_; }
+  // The first emitter with a spectrum, for messages: "light 'Bulb'". Empty if there is none.
+  std::string emitter_with_spectrum() const;
   // Whether a material scatters light below its surface.
   bool has_subsurface() const { return subsurface_; }
   // The first moving object while the shutter is open, for messages: "node 'Wheel'". Empty if nothing moves.
@@ -182,6 +191,7 @@ class CompiledScene final : public OpacityTest {
  private:
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
+  const EmissionSpectrum* spectrum_of_light(const LightSample& sample) const;
   void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
   // Sets TexturePoint::footprint.
   void set_footprints(const Hit& hit, SurfacePoint& point) const;
@@ -204,7 +214,7 @@ class CompiledScene final : public OpacityTest {
   Bounds bounds_;
   BuildReport report_;
   size_t triangles_ = 0;
-  bool transparency_ = false, subsurface_ = false;
+  bool transparency_ = false, subsurface_ = false, emission_spectra_ = false;
   // The width of a pixel in the centre of the image: metres, and metres per metre of distance from the camera. Zero if
   // the resolution is unknown.
   float pixel_width_ = 0, pixel_angle_ = 0;

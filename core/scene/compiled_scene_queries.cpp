@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "base/vectorize.h"
+#include "light/placed_light.h"
 #include "scene/facet.h"
 #include "scene/texture_point.h"
 
@@ -247,6 +248,25 @@ Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
   const InstanceData& instance = (*instances_)[t.instance];
   const SurfaceMaterial& material = (*materials_)[instance.material];
   return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
+}
+
+const EmissionSpectrum* CompiledScene::spectrum_of_light(const LightSample& sample) const {
+  if (sample.kind == LightKind::environment) return lights_->environment().spectrum();
+  const auto& triangles = lights_->triangles();
+  if (sample.kind == LightKind::placed) return lights_->placed()[sample.light - triangles.size()].spectrum.get();
+  const InstanceData& instance = (*instances_)[triangles[sample.light].instance];
+  return (*materials_)[instance.material].description.emission_spectrum.spectrum.get();
+}
+
+std::string CompiledScene::emitter_with_spectrum() const {
+  const auto named = [](const char* kind, const std::string& name) {
+    return name.empty() ? std::string("a ") + kind : std::string(kind) + " '" + name + "'";
+  };
+  for (const Light& light : description_->lights)
+    if (light.spectrum) return named("light", light.name);
+  for (const Material& material : description_->materials)
+    if (material.emission_spectrum && material.is_emissive()) return named("material", material.name);
+  return description_->environment.spectrum && !description_->environment.black() ? "the environment" : "";
 }
 
 bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {

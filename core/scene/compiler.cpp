@@ -348,14 +348,15 @@ class Compiler {
     if (scene_->materials.size() != old.materials.size()) return false;
     for (size_t i = 0; i < scene_->materials.size(); ++i) {
       const Material &a = scene_->materials[i], &b = old.materials[i];
-      if (!(a.emission == b.emission) || !(a.emission_texture == b.emission_texture) || a.unlit != b.unlit ||
-          a.double_sided != b.double_sided)
+      if (!(a.emission == b.emission) || !(a.emission_texture == b.emission_texture) ||
+          !(a.emission_spectrum == b.emission_spectrum) || a.unlit != b.unlit || a.double_sided != b.double_sided)
         return false;
     }
     return true;
   }
 
   void lights() {
+    result_->emission_spectra_ = !result_->emitter_with_spectrum().empty();
     if (same_lights()) {
       result_->lights_ = previous_->lights_;
       return;
@@ -459,7 +460,10 @@ class Compiler {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
       const Light& light = scene_->lights[static_cast<size_t>(n.light)];
-      light.model->place(light.name, light.color, world[node], shutter_.motion_of(static_cast<int>(node)), placed);
+      const size_t first = placed.size();
+      light.model->place(light.name, light.emitted_color(), world[node], shutter_.motion_of(static_cast<int>(node)),
+                         placed);
+      for (size_t i = first; i < placed.size(); ++i) placed[i].spectrum = light.spectrum.spectrum;
     }
     return placed;
   }

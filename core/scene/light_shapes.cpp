@@ -27,6 +27,7 @@ Material material_of(const Light& light) {
   const auto surface = light.model->area_light(light.color);
   Material m = diffuse(Rgb(0), surface && surface->hit_by_rays ? surface->radiance : Rgb(0));
   m.name = light.name;
+  m.emission_spectrum = light.spectrum;
   m.double_sided = surface && surface->two_sided;
   return m;
 }

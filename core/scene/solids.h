@@ -38,6 +38,7 @@ struct Solid {
   bool absorbs = false;
   Rgb absorption{0};         // in addition to the attenuation colour, 1/m
   HomogeneousMedium medium;  // if it scatters or emits: with the absorption of both
+  AbsorptionSpectrum absorption_spectrum;  // of both
   // The medium if its density varies, in place of the members above; else null.
   std::shared_ptr<const HeterogeneousMedium> heterogeneous = nullptr;
   bool has_surface = true;   // false: light passes the boundary without scattering
@@ -59,6 +60,14 @@ struct Solid {
     if (!absorbs) return Rgb(1);
     if (!is_black(medium.extinction) || !is_black(absorption)) return transmittance_of_medium(distance);
     return attenuation(distance);
+  }
+  // The same at the wavelengths of a path.
+  SampledSpectrum transmittance_at(const Wavelengths& wavelengths, float distance) const {
+    if (!absorbs) return SampledSpectrum(1);
+    if (is_volume()) return medium.at(wavelengths).transmittance(distance);
+    MediumCoefficients<SampledSpectrum> absorbing;
+    absorbing.extinction = absorption_spectrum.at(wavelengths);
+    return absorbing.transmittance(distance);
   }
 
  private:

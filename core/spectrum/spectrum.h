@@ -48,4 +48,9 @@ struct Illuminant {
 };
 const std::vector<Illuminant>& illuminants();
 
+// A spectrum by the name of an illuminant, a temperature such as "2700K", or the path of a file.
+Result<Spectrum> find_spectrum(const std::string& name);
+// Whether a name that `find_spectrum` accepts is that of a file.
+bool names_spectrum_file(const std::string& name);
+
 }  // namespace etendue

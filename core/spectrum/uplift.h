@@ -4,7 +4,7 @@
 //
 // lies between 0 and 1 and has the given linear sRGB value under illuminant D65. The coefficients are tabulated for
 // the largest component and the ratios of the other two, and interpolated. Colours without chroma have constant
-// spectra. The table is computed at the first use.
+// spectra. The table is part of the program (uplift_table.h).
 #pragma once
 #include "spectrum/rgb.h"
 #include "spectrum/wavelengths.h"
@@ -17,6 +17,25 @@ struct SigmoidSpectrum {
 
   static SigmoidSpectrum of(const Rgb& color);
   float operator()(float wavelength) const;
+};
+
+// The spectrum of an RGB colour in a form that is prepared once and evaluated for many paths.
+class RgbSpectrum {
+ public:
+  RgbSpectrum() = default;  // black
+  // The same spectra as those of the functions below.
+  static RgbSpectrum reflectance(const Rgb& color);
+  static RgbSpectrum scaled(const Rgb& color);
+  static RgbSpectrum emission(const Rgb& color);
+
+  SampledSpectrum at(const Wavelengths& wavelengths) const;
+
+ private:
+  static RgbSpectrum relative_to(float scale, const Rgb& color);
+
+  float scale_ = 0;  // the value of a constant spectrum, or the factor of `shape_`
+  bool constant_ = true;
+  SigmoidSpectrum shape_;
 };
 
 // The spectrum of a reflectance or transmittance; at most 1. Components are clamped to [0, 1].

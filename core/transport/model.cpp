@@ -35,13 +35,20 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
-// RGB or spectral, which is needed if the index of refraction of a visible material depends on the wavelength.
+// RGB or spectral, which is needed if the index of refraction of a visible material depends on the wavelength, or if an
+// emitter has a spectrum.
 Decision decide_color(const CompiledScene& scene, ColorMode mode) {
   const auto* dispersive = find_used(scene, [](const auto& m) { return m.disperses(); });
-  Decision d{"colour", "RGB", "RGB", "no material disperses light"};
-  if (dispersive) d.needed = "spectral", d.reason = named(*dispersive) + " disperses light";
+  const std::string emitter = scene.emitter_with_spectrum();
+  Decision d{"colour", "RGB", "RGB", "no material disperses light and no emitter has a spectrum"};
+  if (dispersive)
+    d.needed = "spectral", d.reason = named(*dispersive) + " disperses light";
+  else if (!emitter.empty())
+    d.needed = "spectral", d.reason = emitter + " has a spectrum";
   d.value = mode == ColorMode::automatic ? d.needed : mode == ColorMode::spectral ? "spectral" : "RGB";
-  if (d.value != d.needed) d.reason += dispersive ? "; RGB selected, dispersion ignored" : "; spectral selected";
+  if (d.value == d.needed) return d;
+  d.reason += d.value == "spectral" ? "; spectral selected" : "; RGB selected";
+  if (dispersive) d.reason += ", dispersion ignored";
   return d;
 }
 

@@ -22,7 +22,7 @@ class PathExpression;
 enum class ColorMode : uint8_t {
   rgb,        // three components
   spectral,   // four wavelengths per path (spectrum/wavelengths.h)
-  automatic,  // spectral if a visible material disperses light, else RGB
+  automatic,  // spectral if a visible material disperses light or an emitter has a spectrum, else RGB
 };
 
 struct Decision {

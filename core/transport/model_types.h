@@ -43,7 +43,7 @@ template <bool classes>
 using ScatteringMedia = ModelType<Rgb, AllLobes, MediaType::scattering, classes>;
 
 // Used by all spectral rendering, by integrators that support it. Without an expression, the path classes are all paths.
-using Spectral = ModelType<SampledSpectrum, AllLobes, MediaType::solids, true>;
+using Spectral = ModelType<SampledSpectrum, AllLobes, MediaType::scattering, true>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
@@ -70,7 +70,7 @@ decltype(auto) with_scattering_model(const Model& model, F&& f) {
   return f(ScatteringMedia<false>{});
 }
 
-// The same for integrators that also support spectral rendering, of scenes without scattering media.
+// The same for integrators that also support spectral rendering.
 template <class F>
 decltype(auto) with_spectral_model(const Model& model, F&& f) {
   if (model.spectral) return f(Spectral{});

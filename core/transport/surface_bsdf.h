@@ -45,23 +45,30 @@ requires(!M::kScattering && !M::kSpectral) void build_bsdf(const scene::SurfaceP
   if constexpr (M::kMedia) set_media(point, bsdf);
 }
 template <class M>
-requires(M::kScattering) void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
+requires(M::kScattering && !M::kSpectral) void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
   build_bsdf<typename M::Surfaces>(point, bsdf.begin_surface());
 }
 
 // The same in the spectral model. The BSDF refers to the wavelengths, too.
 template <class M>
-requires(M::kSpectral) void build_bsdf(const scene::SurfacePoint& point, const Wavelengths& wavelengths,
+requires(M::kSpectral && !M::kScattering) void build_bsdf(const scene::SurfacePoint& point, const Wavelengths& wavelengths,
                                        Bsdf<M>& bsdf) {
   bsdf.rebind(point.shading, point.ng);
   if (point.material->is_lambertian) {
+    if (point.material->has_constant_base_color && point.texture.color == Vec4(1))
+      return bsdf.lobes.assign_lambertian(point.material->base_spectrum.at(wavelengths));
     const Vec4 base = point.material->base_color_at(point.texture);
-    return bsdf.lobes.assign_lambertian(Rgb(base.x, base.y, base.z), wavelengths);
+    return bsdf.lobes.assign_lambertian(uplift_reflectance(Rgb(base.x, base.y, base.z), wavelengths));
   }
   AllLobes<Rgb> lobes;
   add_lobes(*point.material, point.texture, lobes, point.material->has_coat_normal ? point.coat : Vec3(0, 0, 1));
   set_media_at(point, wavelengths.hero(), lobes);
   bsdf.lobes.assign(lobes, wavelengths);
+}
+template <class M>
+requires(M::kSpectral&& M::kScattering) void build_bsdf(const scene::SurfacePoint& point,
+                                                        const Wavelengths& wavelengths, Bsdf<M>& bsdf) {
+  build_bsdf<typename M::Surfaces>(point, wavelengths, bsdf.begin_surface());
 }
 
 }  // namespace etendue::transport

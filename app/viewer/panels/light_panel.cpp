@@ -145,6 +145,7 @@ class LightPanel final : public Panel {
     return {
         {"light.choose.N", "Light N", "Selects light N"},
         {"light.surface.N", "Emissive material N", "Opens material N, which emits light, in the Material panel"},
+        {"meter.spectrum-plot", "Spectrum", "Spectral radiance of the measured point by wavelength"},
         {"environment.image.N", "Environment N", "Lights the scene with built-in environment N"},
         {kTemperatureItem, "Temperature",
          "Sets the colour of the selected light to that of a black body of this temperature"},

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 
+#include "bsdf/bsdf_model.h"
+#include "bsdf/fresnel/metal_spectra.h"
 #include "render/document.h"
+#include "spectrum/uplift.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/spectrum_plot.h"
 #include "viewer/widgets/surface_checks.h"
 
 namespace etendue::viewer {
@@ -18,7 +22,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 // Parameters of materials, without "material.N.", by the group that shows them.
-const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b", "emission.r", "emission.g", "emission.b"};
+const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b", "emission.r", "emission.g", "emission.b",
+                         "emission-spectrum"};
 const Names kAttenuationNames{"attenuation-color.r", "attenuation-color.g", "attenuation-color.b",
                               "attenuation-distance"};
 const Names kTransmissionNames{"transmission",        "thickness",           "attenuation-color.r",
@@ -124,6 +129,24 @@ void gltf_widgets(AppState& state, const std::string& section, const Material& m
       section_widgets_for(state, section, names_with_prefix(state, section, layer.prefix));
 }
 
+// The reflectance of a metal at normal incidence, or the smooth spectrum of the base colour.
+void draw_spectrum(UiContext& ui, const Material& material) {
+  const auto metals = metal_spectra();
+  const std::string_view preset = material.model ? preset_of(*material.model.model) : std::string_view();
+  const auto metal = std::ranges::find(metals, preset, &MetalSpectrum::name);
+  if (metal != metals.end())
+    return spectrum_plot(ui, "material.spectrum-plot", "Reflectance at normal incidence", 1, [&](double wavelength) {
+      const auto w = static_cast<float>(wavelength);
+      const double eta = metal->eta(w), kappa = metal->kappa(w);
+      return ((eta - 1) * (eta - 1) + kappa * kappa) / ((eta + 1) * (eta + 1) + kappa * kappa);
+    });
+  spectrum_plot(ui, "material.spectrum-plot", "Spectrum of the base colour", 1, [&](double wavelength) {
+    Wavelengths w;
+    w.nm.fill(static_cast<float>(wavelength));
+    return static_cast<double>(uplift_reflectance(material.base_color, w)[0]);
+  });
+}
+
 class MaterialPanel final : public Panel {
  public:
   PanelInfo info() const override {
@@ -155,10 +178,12 @@ class MaterialPanel final : public Panel {
     if (group(state.ui, "Medium", prefix, !material.medium.is_clear() || material.boundary_only))
       section_widgets_for(state, section, medium_names(state, section));
     if (group(state.ui, "Opacity and sidedness", prefix)) section_widgets_for(state, section, kOpacityNames);
+    if (group(state.ui, "Spectrum", prefix, false)) draw_spectrum(state.ui, material);
   }
 
   std::vector<ItemInfo> items() const override {
-    return {{"material.choose", "Material", "Opens the list of materials"},
+    return {{"material.spectrum-plot", "Spectrum", "Reflectance by wavelength of a metal or of the base colour"},
+            {"material.choose", "Material", "Opens the list of materials"},
             {"material.choose.N", "Material N", "Selects material N of the open list"}};
   }
 

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "light/light_type.h"
@@ -10,12 +11,13 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/spectrum_plot.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr uint32_t kSamples = 2048;
+constexpr uint32_t kSamples = 2048, kSpectralSamples = 512;
 
 void draw_reading(const UiContext& ui, const LightQuantity& quantity, const render::MeterReading& reading,
                   Efficacy efficacy, const char* tooltip_text) {
@@ -28,6 +30,19 @@ void draw_reading(const UiContext& ui, const LightQuantity& quantity, const rend
                  formatted("%.4g \u00b1 %.1g %s", radiometric(value, efficacy), radiometric(error, efficacy),
                            with_superscripts(quantity.radiometric_unit).c_str()),
                  tooltip_text);
+}
+
+void draw_spectrum(UiContext& ui, const render::MeasuredSpectrum& spectrum) {
+  labelled_value(ui, "Measured efficacy", formatted("%.4g lm/W", spectrum.luminous_efficacy()),
+                 "Luminous efficacy of the light from the surface to the camera, by its spectrum and V(lambda)");
+  labelled_value(ui, "Measured radiance",
+                 formatted("%.4g %s", spectrum.total_radiance(), with_superscripts("W/(m^2 sr)").c_str()),
+                 "Integral of the spectral radiance from 380 to 780 nm");
+  spectrum_plot(ui, "meter.spectrum-plot", "Spectral radiance, mW/(m\u00b2 sr nm)", 0, [&](double wavelength) {
+    const double bin = std::clamp((wavelength - kFirstWavelength) / kWavelengthStep, 0.0,
+                                  static_cast<double>(render::MeasuredSpectrum::kBins - 1));
+    return 1000 * spectrum.radiance[static_cast<size_t>(bin)];
+  });
 }
 
 }  // namespace
@@ -47,17 +62,29 @@ void LightMeter::update(const TaskContext& context) {
   task_.update();
   const uint64_t version = context.editor.version();
   const auto scene = context.session.scene();
-  if (!raster_ || !scene || version_ == version || context.session.status().version != version) return;
+  if (!raster_ || !scene || context.session.status().version != version) return;
+  if (version_ == version && with_spectrum_ == parameters.spectrum) return;
   version_ = version;
+  with_spectrum_ = parameters.spectrum;
   const auto& document = context.editor.document();
   const auto point = render::meter_point_at(document, *scene, *raster_);
   if (!point) return task_.reset();
   // One thread, because the main rendering continues.
-  const auto work = [document, scene, point = *point](const auto& publish, const bench::Progress& progress) {
+  const auto work = [document, scene, point = *point, with_spectrum = with_spectrum_](
+                        const auto& publish, const bench::Progress& progress) {
+    Measurement measurement;
+    bool keep_going = true;
     render::measure_light(document, scene, point, kSamples, 1, [&](const render::MeterReadings& readings) {
-      publish(readings);
-      return progress(static_cast<double>(readings.samples) / kSamples, "");
+      measurement.readings = readings;
+      publish(measurement);
+      return keep_going = progress(static_cast<double>(readings.samples) / kSamples, "");
     });
+    if (!with_spectrum || !keep_going) return;
+    const auto spectrum = render::measure_radiance_spectrum(document, scene, point, kSpectralSamples,
+                                                            [&] { return progress(1, ""); });
+    if (!spectrum) return;
+    measurement.spectrum = *spectrum;
+    publish(measurement);
   };
   task_.start(work, context.wake);
 }
@@ -87,6 +114,7 @@ void LightMeter::draw(AppState& state) {
   for (const render::LightIntensity& light : readings->lights)
     labelled_value(ui, light.name.c_str(), formatted("%.4g cd", static_cast<double>(luminance(light.intensity))),
                    "Luminous intensity of this light towards the point, whether or not something is in between");
+  if (spectrum()) draw_spectrum(state.ui, *spectrum());
   if (!is_complete(state.editor->version())) note(ui, "Measuring: the errors decrease with more samples.");
 }
 
@@ -111,9 +139,11 @@ nlohmann::json LightMeter::report(uint64_t document_version) const {
   const auto to_json = [](const render::MeterReading& r) {
     return nlohmann::json{{"value", {r.value.r, r.value.g, r.value.b}}, {"standard_error", r.standard_error}};
   };
-  return {{"whole", is_complete(document_version)},
-          {"radiance", to_json(readings->radiance)},
-          {"irradiance", to_json(readings->irradiance)}};
+  nlohmann::json report{{"whole", is_complete(document_version)},
+                        {"radiance", to_json(readings->radiance)},
+                        {"irradiance", to_json(readings->irradiance)}};
+  if (spectrum()) report["lumens_per_watt"] = spectrum()->luminous_efficacy();
+  return report;
 }
 
 }  // namespace etendue::viewer

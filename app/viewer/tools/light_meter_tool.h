@@ -21,7 +21,9 @@ class LightMeter final : public Task {
   struct Parameters {
     Choice<Efficacy> efficacy{"meter.efficacy", "Luminous efficacy", Efficacy::equal_energy,
                               "Spectrum assumed when converting lumens to watts. RGB values do not determine it"};
-    auto all() { return std::tie(efficacy); }
+    Toggle spectrum{"meter.spectrum", "Spectrum", true,
+                    "Also measures the spectral radiance with spectral paths, and the luminous efficacy that follows"};
+    auto all() { return std::tie(efficacy, spectrum); }
   };
   Parameters parameters;
 
@@ -35,10 +37,15 @@ class LightMeter final : public Task {
   bool has_update() const override { return task_.has_update(); }
 
   // Null if there is no measurement yet.
-  const render::MeterReadings* result() const { return task_.result().get(); }
+  const render::MeterReadings* result() const { return task_.result() ? &task_.result()->readings : nullptr; }
   // Whether the result has all samples and belongs to the current document.
   bool is_complete(uint64_t document_version) const {
     return result() && !task_.running() && version_ == document_version;
+  }
+
+  // Null if there is none yet, or if the scene cannot be rendered with spectra.
+  const render::MeasuredSpectrum* spectrum() const {
+    return task_.result() && task_.result()->spectrum ? &*task_.result()->spectrum : nullptr;
   }
 
   // The parameters and the readings.
@@ -50,7 +57,12 @@ class LightMeter final : public Task {
  private:
   std::optional<Vec2> raster_;
   uint64_t version_ = 0;  // of the document that is measured
-  ProgressiveTask<render::MeterReadings> task_;
+  bool with_spectrum_ = false;  // of the measurement
+  struct Measurement {
+    render::MeterReadings readings;
+    std::optional<render::MeasuredSpectrum> spectrum;  // of the radiance
+  };
+  ProgressiveTask<Measurement> task_;
 };
 
 // The name of the action that activates the light meter.

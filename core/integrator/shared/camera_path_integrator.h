@@ -47,6 +47,7 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         paths.stratify_channels();
         integrator_.template estimate<M>(paths);
         if (task_context.recorder) task_context.recorder->collect(paths.size());
+        if (task_context.spectra) append_spectra(paths, *task_context.spectra);
         return collect(paths, order, radiance);
       };
       if constexpr (requires { Derived::kSpectral; })

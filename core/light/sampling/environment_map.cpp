@@ -93,9 +93,10 @@ bool is_uniform(const image::Image& map) {
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
+EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment) {
+  environment_.tint = mean_ = environment.spectrum.applied_to(environment.tint);
   prepare_map();
-  prepare_sun(environment.tint);
+  prepare_sun(mean_);
 }
 
 void EnvironmentMap::prepare_map() {

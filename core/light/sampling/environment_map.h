@@ -24,6 +24,8 @@ class EnvironmentMap {
 
   bool black() const { return environment_.black(); }
   bool visible() const { return environment_.visible; }
+  // Null: the colours determine the spectra.
+  const EmissionSpectrum* spectrum() const { return environment_.spectrum.spectrum.get(); }
   // cd/m^2, from a unit direction.
   Rgb radiance(const Vec3& direction) const;
   struct Sample {

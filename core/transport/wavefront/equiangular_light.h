@@ -42,7 +42,7 @@ class EquiangularLight {
     const scene::SurfacePoint& point = paths_.point(hit);
     if (!point.in_volume || light.kind != LightKind::placed || !std::isfinite(light.distance)) return 1;
     const int path = paths_.path_at(hit);
-    const ScatteringInterval& part = paths_.media().first_interval(path);
+    const Part& part = paths_.media().first_interval(path);
     const Segment segment(paths_.media().ray(path));
     const float distance = glm::distance(segment.origin, point.position);
     if (!part.contains(distance)) return 1;
@@ -56,6 +56,7 @@ class EquiangularLight {
 
  private:
   using Color = typename M::Color;
+  using Part = BasicScatteringInterval<Color>;
   static constexpr int kLightNumber = vertex_dimension::kLightChoice, kDistanceNumber = vertex_dimension::kLightPoint;
   static constexpr DimensionSet kNumbers = dimensions(kLightNumber, 1) | dimensions(kDistanceNumber, 1);
 
@@ -64,7 +65,7 @@ class EquiangularLight {
 
     explicit Segment(const Ray& ray) : origin(ray.origin), direction(glm::normalize(ray.direction)) {}
     // The part inside the cone of the light.
-    DistanceInterval lit_part(const ScatteringInterval& part, const LightTable::PointLight& light) const {
+    DistanceInterval lit_part(const Part& part, const LightTable::PointLight& light) const {
       return inside_cone(origin, direction, {part.from, part.to}, light.position, light.axis, light.cone_cosine);
     }
     EquiangularDistance distances(const DistanceInterval& interval, const LightTable::PointLight& light) const {
@@ -73,13 +74,14 @@ class EquiangularLight {
   };
 
   // The density of a free flight's collision, per metre.
-  float flight_density(int path, const ScatteringInterval& part, float distance) const {
-    return paths_.media().flight(path, 0).collision_density(*part.medium, distance - part.from);
+  float flight_density(int path, const Part& part, float distance) const {
+    return paths_.media().flight(path, 0).collision_density(paths_.media().coefficients(path, *part.medium),
+                                                            distance - part.from);
   }
 
   // `lane` is the index of the random numbers.
   void add_light(int path, int lane) {
-    const ScatteringInterval& part = paths_.media().first_interval(path);
+    const Part& part = paths_.media().first_interval(path);
     if (!part.medium) return;
     auto& state = paths_.state(path);
     const auto choice = lights_.choose_point_light(paths_.random(kLightNumber, lane), state.time);
@@ -96,9 +98,10 @@ class EquiangularLight {
     const float other_pdf = flight_density(path, part, distance) * lights_.probability(choice->light, point, strategy_);
     const float weight = mis_weight_over_pdf(heuristic_, pdf * choice->probability, other_pdf);
     const float phase = part.medium->phase->eval(-segment.direction, light.wi);
+    const auto& medium = paths_.media().coefficients(path, *part.medium);
     const Color throughput = paths_.media().unattenuated(path) * part.transmittance *
-                             part.medium->transmittance(distance - part.from) * part.medium->scattering;
-    Color contribution = throughput * light.radiance * (phase * weight);
+                             medium.transmittance(distance - part.from) * medium.scattering;
+    Color contribution = throughput * paths_.color().emission(path, light.radiance, spectrum_of<M>(paths_.scene(), light)) * (phase * weight);
     if constexpr (M::kClasses) contribution *= paths_.shares().volume_connection_share(path);
     if (is_black(contribution)) return;
     paths_.connect_from(path, point, part.stack, light.wi, light.distance) = contribution;
@@ -112,10 +115,10 @@ class EquiangularLight {
     paths_.recorder()->add_light(path,
                                  {.sample = light,
                                   .radiance = light.radiance,
-                                  .f_cos = Color(phase),
+                                  .f_cos = Rgb(phase),
                                   .bsdf_pdf = phase,
                                   .mis_weight = mis_weight,
-                                  .unoccluded = contribution},
+                                  .unoccluded = paths_.color().to_rgb(path, contribution)},
                                  paths_.last_connection());
   }
 

@@ -13,9 +13,9 @@ struct SegmentPart {
 
 // Completes a segment as complete_segment does. pass(part) is called for its parts in different media, from the start;
 // if it returns false, the segment ends there. `stack` becomes that of the end.
-template <class Pass>
+template <class Color, class Pass>
 void traverse(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-              scene::MediumStack& stack, MediumSegment& segment, Pass&& pass) {
+              scene::MediumStack& stack, BasicMediumSegment<Color>& segment, Pass&& pass) {
   const scene::Solids& solids = scene.solids();
   Hit& hit = segment.hit;
   const float scale = std::sqrt(length_squared(ray.direction));
@@ -112,52 +112,59 @@ RandomStream stream_of(const Ray& ray, uint32_t seed) {
                                    std::bit_cast<uint32_t>(ray.direction.z)));
 }
 
-Rgb transmittance_of(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
-                     RandomStream& random) {
-  if (medium.heterogeneous)
-    return estimated_transmittance(*medium.heterogeneous, span_of(ray, scale, part, medium), random);
-  if (medium.homogeneous) return medium.homogeneous->transmittance(medium.length);
-  return part.solid ? part.solid->transmittance(std::max(part.length, 0.0f)) : Rgb(1);
+template <class Color>
+Color transmittance_of(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
+                       RandomStream& random, const MediumColors<Color>& colors) {
+  if (const HeterogeneousMedium* m = medium.heterogeneous)
+    return estimated_transmittance<Color>(*m, colors.of(*m), span_of(ray, scale, part, medium), m->estimator, random);
+  if (medium.homogeneous) return colors.of(*medium.homogeneous).transmittance(medium.length);
+  return part.solid ? colors.transmittance(*part.solid, std::max(part.length, 0.0f)) : Color(1);
 }
 
 // Passes through a part; returns the metres from its start to a collision inside it.
+template <class Color>
 std::optional<float> pass_part(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
-                               RandomStream& random, FreeFlight& flight, const PhaseFunction*& phase) {
+                               RandomStream& random, const MediumColors<Color>& colors, BasicFreeFlight<Color>& flight,
+                               const PhaseFunction*& phase) {
   if (const HeterogeneousMedium* m = medium.heterogeneous) {
     const RaySpan span = span_of(ray, scale, part, medium);
+    const auto& coefficients = colors.of(*m);
     if (!m->scatters()) {
-      Rgb emitted(0);
-      const Rgb transmittance = transmittance_and_emission(*m, span, random, emitted);
+      Color emitted(0);
+      const Color transmittance = transmittance_and_emission<Color>(*m, coefficients, span, random, emitted);
       flight.add_emission(emitted);
       flight.attenuate(transmittance);
       return {};
     }
     phase = m->phase.get();
-    const auto at = flight.pass(*m, span, random);
+    const auto at = flight.pass(*m, coefficients, span, random);
     return at ? std::optional((*at - part.from) * scale) : std::nullopt;
   }
   if (const HomogeneousMedium* m = medium.homogeneous) {
-    if (m->emits()) flight.add_emission(m->emitted(medium.length));
+    const auto& coefficients = colors.of(*m);
+    if (m->emits()) flight.add_emission(coefficients.emitted(medium.length));
     if (!m->scatters()) {
-      flight.attenuate(m->transmittance(medium.length));
+      flight.attenuate(coefficients.transmittance(medium.length));
       return {};
     }
     phase = m->phase.get();
-    const auto distance = flight.pass(*m, medium.length);
+    const auto distance = flight.pass(coefficients, medium.length);
     return distance ? std::optional(medium.offset + *distance) : std::nullopt;
   }
-  if (part.solid) flight.attenuate(part.solid->transmittance(std::max(part.length, 0.0f)));
+  if (part.solid) flight.attenuate(colors.transmittance(*part.solid, std::max(part.length, 0.0f)));
   return {};
 }
 
 // The media on a segment before the first homogeneous medium that scatters.
+template <class Color>
 struct MediaBeforeInterval {
-  Rgb transmittance{1};
+  MediumColors<Color> colors;
+  Color transmittance{1};
   bool is_exact = true;  // false: a heterogeneous medium was passed, whose transmittance is only estimated
 
   // Sets the interval if it starts in this part, which lies in these solids.
   void find_interval(const SegmentPart& part, const MediumPart& medium, float scale, const scene::MediumStack& stack,
-                     ScatteringInterval& first) {
+                     BasicScatteringInterval<Color>& first) {
     is_exact &= !medium.heterogeneous;
     if (first.medium || !is_exact) return;
     const HomogeneousMedium* m = medium.homogeneous;
@@ -165,45 +172,49 @@ struct MediaBeforeInterval {
       const float from = part.from * scale + medium.offset;
       first = {m, from, from + medium.length, transmittance, stack};
     } else if (m) {
-      transmittance *= m->transmittance(medium.length);
+      transmittance *= colors.of(*m).transmittance(medium.length);
     } else if (part.solid) {
-      transmittance *= part.solid->transmittance(std::max(part.length, 0.0f));
+      transmittance *= colors.transmittance(*part.solid, std::max(part.length, 0.0f));
     }
   }
 };
 
 }  // namespace
 
+template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                      scene::MediumStack stack, MediumSegment& segment) {
+                      scene::MediumStack stack, BasicMediumSegment<Color>& segment,
+                      const MediumColors<Color>& colors) {
   const float scale = std::sqrt(length_squared(ray.direction));
   RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
-    const Rgb transmittance = transmittance_of(medium, ray, scale, part, random);
+    const Color transmittance = transmittance_of(medium, ray, scale, part, random, colors);
     segment.transmittance *= transmittance;
     if (medium.homogeneous && medium.homogeneous->scatters()) segment.scattering_transmittance *= transmittance;
     return true;
   });
 }
 
+template <class Color>
 void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                    const scene::MediumStack& start, FreeFlight flight, FlightSegment& segment) {
+                    const scene::MediumStack& start, BasicFreeFlight<Color> flight, BasicFlightSegment<Color>& segment,
+                    const MediumColors<Color>& colors) {
   const float scale = std::sqrt(length_squared(ray.direction));
   scene::MediumStack stack = start;
   RandomStream random = stream_of(ray, seed);
   segment.collision = {};
   segment.first.medium = nullptr;
-  MediaBeforeInterval before;
+  MediaBeforeInterval<Color> before{colors};
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
     before.find_interval(part, medium, scale, stack, segment.first);
     const PhaseFunction* phase = nullptr;
-    const auto distance = pass_part(medium, ray, scale, part, random, flight, phase);
+    const auto distance = pass_part(medium, ray, scale, part, random, colors, flight, phase);
     if (!distance) return true;
     segment.collision.position = ray.origin + ray.direction * (part.from + *distance / scale);
     segment.collision.phase = phase;
-    segment.collision.scattering = flight.scattering_at_collision();
+    if constexpr (std::is_same_v<Color, Rgb>) segment.collision.scattering = flight.scattering_at_collision();
     return false;
   });
   segment.transmittance = flight.weight();
@@ -215,27 +226,48 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
   segment.interface.clear(stack);
 }
 
-Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
-                                     const scene::Solid* solid) {
+template <class Color>
+Color transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                       const scene::Solid* solid, const MediumColors<Color>& colors) {
   RandomStream random = stream_of(ray, seed);
   const float scale = std::sqrt(length_squared(ray.direction));
   const SegmentPart part{solid, ray.tnear, length};
-  return transmittance_of(medium_part(scene.solids(), ray, scale, part), ray, scale, part, random);
+  return transmittance_of(medium_part(scene.solids(), ray, scale, part), ray, scale, part, random, colors);
 }
 
+template <class Color>
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                   const scene::MediumStack& stack, MediumSegment& segment) {
+                   const scene::MediumStack& stack, BasicMediumSegment<Color>& segment,
+                   const MediumColors<Color>& colors) {
   segment.hit = scene.intersect_solids(ray, seed, time);
-  complete_segment(scene, ray, length, seed, time, stack, segment);
+  complete_segment(scene, ray, length, seed, time, stack, segment, colors);
 }
 
-Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                           const scene::MediumStack& stack, uint64_t& rays) {
-  MediumSegment segment;
-  trace_segment(scene, ray, length, seed, time, stack, segment);
+template <class Color>
+BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                       float time, const scene::MediumStack& stack, uint64_t& rays,
+                                       const MediumColors<Color>& colors) {
+  BasicMediumSegment<Color> segment;
+  trace_segment(scene, ray, length, seed, time, stack, segment, colors);
   rays += 1 + segment.rays;
-  if (segment.hit) return {Rgb(0), 0};
+  if (segment.hit) return {Color(0), 0};
   return {segment.transmittance, average(segment.scattering_transmittance)};
 }
+
+#define ETENDUE_INSTANTIATE(Color)                                                                                   \
+  template void complete_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float, scene::MediumStack, \
+                                 BasicMediumSegment<Color>&, const MediumColors<Color>&);                            \
+  template void sample_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                       \
+                               const scene::MediumStack&, BasicFreeFlight<Color>, BasicFlightSegment<Color>&,         \
+                               const MediumColors<Color>&);                                                          \
+  template Color transmittance_without_boundaries(const scene::CompiledScene&, const Ray&, float, uint32_t,           \
+                                                  const scene::Solid*, const MediumColors<Color>&);                  \
+  template void trace_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                        \
+                              const scene::MediumStack&, BasicMediumSegment<Color>&, const MediumColors<Color>&);     \
+  template BasicPassage<Color> connection_passage(const scene::CompiledScene&, const Ray&, float, uint32_t, float,    \
+                                                  const scene::MediumStack&, uint64_t&, const MediumColors<Color>&);
+ETENDUE_INSTANTIATE(Rgb)
+ETENDUE_INSTANTIATE(SampledSpectrum)
+#undef ETENDUE_INSTANTIATE
 
 }  // namespace etendue::transport

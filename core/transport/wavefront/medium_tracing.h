@@ -2,72 +2,91 @@
 //
 // A segment skips boundaries between equal media, and those of solids without a surface. It therefore lies in one medium,
 // unless there are such solids or stochastic opacity lets it pass a boundary between different media.
+//
+// Colours are RGB, or the wavelengths of a path. The functions are instantiated for both.
 #pragma once
 #include "medium/free_flight.h"
 #include "scene/compiled_scene.h"
+#include "transport/wavefront/medium_colors.h"
 #include "transport/wavefront/volume_vertex.h"
 
 namespace etendue::transport {
 
 // A segment from the start of a ray to the next vertex.
-struct MediumSegment {
+template <class Color>
+struct BasicMediumSegment {
   Hit hit;                           // its distance is measured from the start of the ray
   scene::MediumInterface interface;  // at the hit
-  Rgb transmittance{1};
+  Color transmittance{1};
   // The part of `transmittance` that is due to scattering media.
-  Rgb scattering_transmittance{1};
+  Color scattering_transmittance{1};
   uint64_t rays = 0;  // traced beyond the first hit
 };
+using MediumSegment = BasicMediumSegment<Rgb>;
 
 // What passes a segment.
-struct Passage {
-  Rgb transmittance{1};
+template <class Color>
+struct BasicPassage {
+  Color transmittance{1};
   // The probability that a flight has no collision on it (FreeFlight::survival).
   float survival = 1;
 };
+using Passage = BasicPassage<Rgb>;
 
 // Completes a segment that starts in the solids of `stack`. `segment.hit` is the result of
 // CompiledScene::intersect_solids for the same seed and time. A segment that hits nothing is attenuated over `length`
 // metres.
+template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                      scene::MediumStack stack, MediumSegment& segment);
+                      scene::MediumStack stack, BasicMediumSegment<Color>& segment,
+                      const MediumColors<Color>& colors = {});
 
 // The first part of a segment that lies in a scattering medium, up to the next boundary or surface.
-struct ScatteringInterval {
+template <class Color>
+struct BasicScatteringInterval {
   const HomogeneousMedium* medium = nullptr;  // null: there is none
   float from = 0, to = 0;                     // metres from the start of the ray
-  Rgb transmittance{1};                       // of the media before it
+  Color transmittance{1};                     // of the media before it
   scene::MediumStack stack;                   // the solids that contain it
 
   bool contains(float distance) const { return medium && distance > from && distance < to; }
 };
+using ScatteringInterval = BasicScatteringInterval<Rgb>;
 
 // A segment that ends at a collision in a scattering medium, on a surface, or nowhere.
-struct FlightSegment : MediumSegment {
+template <class Color>
+struct BasicFlightSegment : BasicMediumSegment<Color> {
   Collision collision;
-  Rgb emitted{0};  // radiance that media emit towards the start
+  Color emitted{0};    // radiance that media emit towards the start
   float survival = 1;  // FreeFlight::survival, up to the end
-  Rgb densities{0};    // FreeFlight::densities
-  ScatteringInterval first;
+  Color densities{0};  // FreeFlight::densities
+  BasicScatteringInterval<Color> first;
 };
 
 // The same as complete_segment in a scene with scattering media: the segment may end at a collision before the hit,
 // which then becomes empty. `transmittance` is the factor of the throughput, FreeFlight::weight.
+template <class Color>
 void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                    const scene::MediumStack& stack, FreeFlight flight, FlightSegment& segment);
+                    const scene::MediumStack& stack, BasicFreeFlight<Color> flight, BasicFlightSegment<Color>& segment,
+                    const MediumColors<Color>& colors = {});
 
 // The transmittance of a segment that passes no boundary, inside a solid or, if it is null, outside of all solids.
-Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
-                                     const scene::Solid* solid);
+template <class Color>
+Color transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                       const scene::Solid* solid, const MediumColors<Color>& colors);
 
 // Traces a whole segment.
+template <class Color>
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                   const scene::MediumStack& stack, MediumSegment& segment);
+                   const scene::MediumStack& stack, BasicMediumSegment<Color>& segment,
+                   const MediumColors<Color>& colors = {});
 
 // What passes a connection to a point at a distance of `length` metres; black if a surface blocks it. The direction of
 // the ray may have any length. Adds the number of rays traced to `rays`.
-Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                           const scene::MediumStack& stack, uint64_t& rays);
+template <class Color = Rgb>
+BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                       float time, const scene::MediumStack& stack, uint64_t& rays,
+                                       const MediumColors<Color>& colors = {});
 
 // What passes connections that CompiledScene::occluded has tested.
 class TracedConnections {
@@ -78,32 +97,37 @@ class TracedConnections {
   // surface, every connection must be traced from boundary to boundary.
   bool use_packets() const { return !scene_.solids().segments_may_cross_media(); }
 
-  Passage passage(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
-                  const scene::MediumStack& stack, uint64_t& rays) const {
+  template <class Color = Rgb>
+  BasicPassage<Color> passage(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
+                              const scene::MediumStack& stack, uint64_t& rays,
+                              const MediumColors<Color>& colors = {}) const {
     const scene::Solids& solids = scene_.solids();
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
       if (!blocked && solids.any_heterogeneous()) [[unlikely]]
-        return {transmittance_without_boundaries(scene_, ray, length, seed, medium), 1};
-      if (!blocked) return medium ? inside(*medium, length) : outside_solids(ray, length);
+        return {transmittance_without_boundaries(scene_, ray, length, seed, medium, colors), 1};
+      if (!blocked) return medium ? inside(*medium, length, colors) : outside_solids(ray, length, colors);
       // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
-      if (!medium || !medium->may_overlap) return {Rgb(0), 0};
+      if (!medium || !medium->may_overlap) return {Color(0), 0};
     }
-    return connection_passage(scene_, ray, length, seed, time, stack, rays);
+    return connection_passage<Color>(scene_, ray, length, seed, time, stack, rays, colors);
   }
 
  private:
-  static Passage through(const Rgb& transmittance, bool scatters) {
+  template <class Color>
+  static BasicPassage<Color> through(const Color& transmittance, bool scatters) {
     return {transmittance, scatters ? average(transmittance) : 1};
   }
-  static Passage inside(const scene::Solid& solid, float length) {
-    return through(solid.transmittance(length), solid.medium.scatters());
+  template <class Color>
+  static BasicPassage<Color> inside(const scene::Solid& solid, float length, const MediumColors<Color>& colors) {
+    return through<Color>(colors.transmittance(solid, length), solid.medium.scatters());
   }
-  Passage outside_solids(const Ray& ray, float length) const {
+  template <class Color>
+  BasicPassage<Color> outside_solids(const Ray& ray, float length, const MediumColors<Color>& colors) const {
     const scene::AtmosphereMedium* atmosphere = scene_.solids().atmosphere();
     if (!atmosphere) return {};
-    return through(atmosphere->transmittance(ray, {0, length / std::sqrt(length_squared(ray.direction))}),
-                   atmosphere->medium.scatters());
+    const float metres = atmosphere->length_inside(ray, {0, length / std::sqrt(length_squared(ray.direction))});
+    return through<Color>(colors.of(atmosphere->medium).transmittance(metres), atmosphere->medium.scatters());
   }
 
   const scene::CompiledScene& scene_;

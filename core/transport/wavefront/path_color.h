@@ -7,6 +7,7 @@
 #include "sampling/sampler.h"
 #include "spectrum/uplift.h"
 #include "transport/model_types.h"
+#include "transport/wavefront/medium_colors.h"
 
 namespace etendue::transport {
 
@@ -16,8 +17,9 @@ class PathColor;
 template <class M>
 class PathColor<M, false> {
  public:
-  static const Rgb& emission(int, const Rgb& color) { return color; }
-  static const Rgb& transmittance(int, const Rgb& color) { return color; }
+  // Emitted light with this RGB value. `spectrum` is that of the emitter, or null.
+  static const Rgb& emission(int, const Rgb& color, const EmissionSpectrum*) { return color; }
+  static MediumColors<Rgb> media(int) { return {}; }
   static const Rgb& to_rgb(int, const Rgb& color) { return color; }
 };
 
@@ -29,18 +31,19 @@ class PathColor<M, true> {
   void start(int path, float random) { at(path) = sample_wavelengths(random); }
   const Wavelengths& wavelengths(int path) const { return wavelengths_[static_cast<size_t>(path)]; }
 
-  Color emission(int path, const Rgb& color) const { return uplift_emission(color, wavelengths(path)); }
-  Color transmittance(int path, const Rgb& color) const { return uplift_reflectance(color, wavelengths(path)); }
+  Color emission(int path, const Rgb& color, const EmissionSpectrum* spectrum) const {
+    return spectrum ? spectrum->emission(color, wavelengths(path)) : uplift_emission(color, wavelengths(path));
+  }
+  MediumColors<Color> media(int path) const { return {&wavelengths(path)}; }
   // An unbiased estimate of the RGB value.
   Rgb to_rgb(int path, const Color& color) const { return rgb_estimate(color, wavelengths(path)); }
 
-  // Ends the secondary wavelengths, whose paths deviate from that of the hero wavelength. The hero wavelength has the
-  // same density alone as each of the four, so it takes over their weight.
-  void end_secondary(int path, Color& throughput) {
-    if (at(path).hero_only) return;
+  // Ends the secondary wavelengths, whose paths deviate from that of the hero wavelength. The hero wavelength takes over
+  // their weight: `weight` is one over its share of the density of the path, four without scattering media.
+  void end_secondary(int path, float weight, Color& throughput) {
     at(path).hero_only = true;
     Color hero(0);
-    hero[0] = Color::kSize * throughput[0];
+    hero[0] = weight * throughput[0];
     throughput = hero;
   }
 

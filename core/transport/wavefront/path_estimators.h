@@ -103,7 +103,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     if (is_black(emitted)) continue;
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) *
-                              paths.color().emission(paths.path_at(i), emitted) * weight;
+                              paths.color().emission(paths.path_at(i), emitted, scene.emission_spectrum(point)) * weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_at(i), emitted, weight, contribution);
@@ -131,7 +131,7 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const Rgb radiance = map.radiance(direction);
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) *
-                              paths.color().emission(paths.path_of_miss(i), radiance) * weight;
+                              paths.color().emission(paths.path_of_miss(i), radiance, map.spectrum()) * weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);
@@ -148,6 +148,16 @@ void add_environment(PathWavefront<M>& paths, Combination combination = {},
     return mis_weight(*combination, bsdf_pdf,
                       lights.pdf_environment(paths.missed_path(i).from, paths.miss_direction(i), strategy));
   });
+}
+
+// The spectrum of a sampled light; null if its colour determines it, and in RGB models.
+template <class M>
+const EmissionSpectrum* spectrum_of([[maybe_unused]] const scene::CompiledScene& scene,
+                                    [[maybe_unused]] const LightSample& light) {
+  if constexpr (M::kSpectral)
+    return scene.emission_spectrum(light);
+  else
+    return nullptr;
 }
 
 // Whether shadow rays are traced; local illumination [Lang, sec. 8.2] has none.
@@ -182,7 +192,8 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
     if (can_be_shadowed) paths.set_connection_weight(connection_weight);
     const auto unoccluded =
-        path.throughput * scattered.f_cos * paths.color().emission(paths.path_at(i), scene.radiance_of(light)) * weight;
+        path.throughput * scattered.f_cos *
+        paths.color().emission(paths.path_at(i), scene.radiance_of(light), spectrum_of<M>(scene, light)) * weight;
     contribution += unoccluded;
     if (recording) [[unlikely]]
       record_light(paths, i, light, weight, scattered, unoccluded, can_be_shadowed);

@@ -39,17 +39,27 @@ class PathMedia<M, true> {
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
   void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
 
-  // Paths choose a colour channel for every flight, or keep one of the three (FreeFlight).
+  // Paths choose a colour channel for every flight, or keep one of them (FreeFlight).
   void choose_channels(int path) requires(M::kScattering) { flights_.channel[static_cast<size_t>(path)] = -1; }
   void keep_channel(int path, int channel) requires(M::kScattering) {
     flights_.channel[static_cast<size_t>(path)] = static_cast<int8_t>(channel);
-    flights_.next_densities[static_cast<size_t>(path)] = Rgb(1.0f / 3);
+    flights_.next_densities[static_cast<size_t>(path)] = Color(1.0f / kChannels<Color>);
+  }
+  // Ends all channels of a path but the first. Returns one over the share of the first channel in the density of the path.
+  float keep_first_channel(int path) requires(M::kScattering) {
+    const auto p = static_cast<size_t>(path);
+    if (flights_.channel[p] < 0) return static_cast<float>(kChannels<Color>);
+    const float share = flights_.next_densities[p][0];
+    flights_.next_densities[p] = Color(0);
+    flights_.next_densities[p][0] = 1;
+    return share > 0 ? 1 / share : 0;
   }
   // A flight from the start of the current segment of a path.
-  FreeFlight flight(int path, float random) const requires(M::kScattering) {
+  BasicFreeFlight<Color> flight(int path, float random) const requires(M::kScattering) {
+    using Flight = BasicFreeFlight<Color>;
     const auto p = static_cast<size_t>(path);
     const int channel = flights_.channel[p];
-    return channel < 0 ? FreeFlight(unattenuated_[p], random) : FreeFlight(flights_.densities[p], channel, random);
+    return channel < 0 ? Flight(unattenuated_[p], random) : Flight(flights_.densities[p], channel, random);
   }
 
   // The same in a model with scattering media, with a uniform random number for the distance to a collision. `emitted` is
@@ -58,11 +68,19 @@ class PathMedia<M, true> {
   bool sample_segment(int path, int slot, uint32_t seed, float time, float random, Hit& hit, Color& throughput,
                       Color& emitted, uint64_t& traced) {
     const auto p = static_cast<size_t>(path);
-    FlightSegment segment;
-    segment.hit = hit;
     unattenuated_[p] = throughput;
     flights_.densities[p] = flights_.next_densities[p];
-    transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], flight(path, random), segment);
+    if (is_in_vacuum(p, hit)) {
+      interfaces_[static_cast<size_t>(slot)].clear(stacks_[p]);
+      flights_.survival[p] = 1;
+      flights_.first[p].medium = nullptr;
+      collisions_.at(slot).phase = nullptr;
+      return bool{hit};
+    }
+    BasicFlightSegment<Color> segment;
+    segment.hit = hit;
+    transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], flight(path, random), segment,
+                              color_->media(path));
     flights_.next_densities[p] = segment.densities;
     throughput *= segment.transmittance;
     emitted = segment.emitted;
@@ -80,7 +98,13 @@ class PathMedia<M, true> {
   // Of the segment of a path that `sample_segment` completed: the probability that a flight passes it
   // (FreeFlight::survival), its first part in a scattering medium, its ray, and the throughput at its start.
   float survival(int path) const { return flights_.survival[static_cast<size_t>(path)]; }
-  const ScatteringInterval& first_interval(int path) const { return flights_.first[static_cast<size_t>(path)]; }
+  const BasicScatteringInterval<Color>& first_interval(int path) const {
+    return flights_.first[static_cast<size_t>(path)];
+  }
+  // The coefficients of a medium in the colours of a path.
+  decltype(auto) coefficients(int path, const HomogeneousMedium& medium) const {
+    return color_->media(path).of(medium);
+  }
   const Ray& ray(int path) const { return rays_[static_cast<size_t>(path)]; }
   const Color& unattenuated(int path) const { return unattenuated_[static_cast<size_t>(path)]; }
 
@@ -90,14 +114,15 @@ class PathMedia<M, true> {
     const auto p = static_cast<size_t>(path);
     scene::MediumInterface& interface = interfaces_[static_cast<size_t>(slot)];
     unattenuated_[p] = throughput;
-    if (stacks_[p].empty() && (!hit || scene_->instances()[hit.instance].solid == scene::kNoSolid)) {
+    if (is_in_vacuum(p, hit)) {
       interface.clear(stacks_[p]);
       return bool{hit};
     }
-    MediumSegment segment;
+    BasicMediumSegment<Color> segment;
     segment.hit = hit;
-    transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment);
-    throughput *= color_->transmittance(path, segment.transmittance);
+    transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment,
+                                color_->media(path));
+    throughput *= segment.transmittance;
     traced += segment.rays;
     hit = segment.hit;
     if (hit) interface = segment.interface;
@@ -118,19 +143,20 @@ class PathMedia<M, true> {
 
   // The factor of the throughput on the current segment up to a distance from its start, in metres, that is at most the
   // distance of its end, and the probability that a flight passes this part.
-  Passage passage_to(int path, float distance, uint32_t seed, float time) const {
+  BasicPassage<Color> passage_to(int path, float distance, uint32_t seed, float time) const {
     const auto p = static_cast<size_t>(path);
     Ray ray = rays_[p];
     ray.tfar = distance;
     if constexpr (M::kScattering) {
-      FlightSegment segment;
+      BasicFlightSegment<Color> segment;
       segment.hit = scene_->intersect_solids(ray, seed, time);
       transport::sample_segment(*scene_, ray, distance, seed, time, stacks_[p],
-                                FreeFlight::without_collision(unattenuated_[p]), segment);
+                                BasicFreeFlight<Color>::without_collision(unattenuated_[p]), segment,
+                                color_->media(path));
       return {segment.transmittance, segment.survival};
     }
     uint64_t rays = 0;
-    return TracedConnections(*scene_).passage(false, ray, distance, seed, time, stacks_[p], rays);
+    return TracedConnections(*scene_).passage(false, ray, distance, seed, time, stacks_[p], rays, color_->media(path));
   }
 
   // Stores a connection; `length` is the distance of its end, metres.
@@ -142,15 +168,22 @@ class PathMedia<M, true> {
   }
   // Sets the MIS weight of a connection, without its factor.
   void set_weight(size_t slot, const ConnectionWeight& weight) { connections_[slot].weight = weight; }
-  // The transmittance of a connection times its MIS weight.
-  Rgb transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
+  // The transmittance of a connection of a path times its MIS weight.
+  Color transmittance(size_t slot, int path, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
-    const Passage passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced);
+    const auto passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced,
+                                                            color_->media(path));
     if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
     return passage.transmittance;
   }
 
  private:
+  // Whether the segment of a path that ends at `hit` lies in no medium and at no boundary of a solid.
+  bool is_in_vacuum(size_t path, const Hit& hit) const {
+    return stacks_[path].empty() && !scene_->solids().atmosphere() &&
+           (!hit || scene_->instances()[hit.instance].solid == scene::kNoSolid);
+  }
+
   struct NoWeight {};
   struct Connection {
     Ray ray;
@@ -180,8 +213,8 @@ class PathMedia<M, true> {
   struct Flights {
     PerPath<float> survival;
     PerPath<int8_t> channel;                 // kept by the path; -1: none
-    PerPath<Rgb> densities, next_densities;  // of paths that keep a channel, at the start of the segment and at its end
-    PerPath<ScatteringInterval> first;
+    PerPath<Color> densities, next_densities;  // of paths that keep a channel, at the start of the segment and at its end
+    PerPath<BasicScatteringInterval<Color>> first;
   };
   struct NoFlights {};
   [[no_unique_address]] std::conditional_t<M::kScattering, Flights, NoFlights> flights_;

@@ -73,9 +73,12 @@ class PathWavefront {
     if constexpr (M::kScattering) media_.choose_channels(path);
     travel(path, ray, medium);
   }
-  // Makes launched paths keep a colour channel in scattering media, which alternates between the samples of a pixel.
+  // Makes launched paths keep a colour channel in scattering media: the hero wavelength of a spectral path, else one that
+  // alternates between the samples of a pixel.
   void stratify_channels() {
-    if constexpr (M::kScattering)
+    if constexpr (M::kSpectral)
+      for (int i = 0; i < size_; ++i) media_.keep_channel(i, 0);
+    else if constexpr (M::kScattering)
       for (int i = 0; i < size_; ++i)
         media_.keep_channel(i, static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
   }
@@ -243,8 +246,8 @@ class PathWavefront {
   PointOnSegment point_on_segment(int path, float distance) const {
     const auto p = static_cast<size_t>(path);
     if constexpr (M::kMedia) {
-      const Passage passage = media_.passage_to(path, distance, segment_seed(path), states_[p].time);
-      return {media_.unattenuated(path) * color_.transmittance(path, passage.transmittance), passage.survival};
+      const auto passage = media_.passage_to(path, distance, segment_seed(path), states_[p].time);
+      return {media_.unattenuated(path) * passage.transmittance, passage.survival};
     } else {
       return {states_[p].throughput, 1};
     }
@@ -365,6 +368,7 @@ class PathWavefront {
   void add_medium_emission(int path, Color throughput, const Color& emitted);
   void shade();
   void compute_points(size_t first, size_t count);
+  void build_surface_bsdf(int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf);
   [[gnu::cold, gnu::noinline]] void record_hits();
   [[gnu::cold, gnu::noinline]] void record_misses();
 
@@ -462,7 +466,8 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
     const Color before = path_state.throughput;
     Color emitted(0);
     const bool has_vertex = media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
-                                                  random(vertex_dimension::kFreeFlight, ray), hit,
+                                                  scene_->scatters() ? random(vertex_dimension::kFreeFlight, ray) : 0,
+                                                  hit,
                                                   path_state.throughput, emitted, rays_traced_);
     if (!is_black(emitted)) add_medium_emission(path, before, emitted);
     return has_vertex;
@@ -478,12 +483,13 @@ void PathWavefront<M>::add_medium_emission(int path, Color throughput, const Col
   const Color contribution = throughput * emitted;
   state(path).radiance += contribution;
   if (recorder_) [[unlikely]]
-    recorder_->add_emission(path, {emitted, 1, contribution});
+    recorder_->add_emission(path, {color_.to_rgb(path, emitted), 1, color_.to_rgb(path, contribution)});
 }
 
 // Draws the numbers of the distances to collisions, by active path. They belong to the vertices that are reached.
 template <class M>
 void PathWavefront<M>::draw_free_flights() {
+  if (!scene_->scatters()) return;
   for (int i = 0; i < travelling_; ++i) {
     const auto slot = static_cast<size_t>(i);
     lane_seeds_[slot] = state(travellers_[slot]).seed;
@@ -516,28 +522,36 @@ void PathWavefront<M>::compute_points(size_t first, size_t count) {
   }
 }
 
+// The BSDF of a vertex on a surface. Paths end their secondary wavelengths where surfaces disperse light.
+template <class M>
+void PathWavefront<M>::build_surface_bsdf([[maybe_unused]] int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf) {
+  if constexpr (M::kSpectral) {
+    if (!color_.wavelengths(path).hero_only && disperses(at))
+      color_.end_secondary(path, media_.keep_first_channel(path), state(path).throughput);
+    build_bsdf<M>(at, color_.wavelengths(path), bsdf);
+  } else {
+    build_bsdf<M>(at, bsdf);
+  }
+}
+
 template <class M>
 void PathWavefront<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(hit_count_);
   for (size_t i = 0; timed_ && i < count; ++i) times_[i] = states_[reached_by_[first + i]].time;
   compute_points(first, count);
   for (size_t i = 0; i < count; ++i) {
-    PathState<Color>& path = states_[reached_by_[first + i]];
     if constexpr (M::kMedia) media_.set_media(visited_ + static_cast<int>(i), points_[i]);
+    const int number = reached_by_[first + i];
     if constexpr (M::kScattering) {
       if (points_[i].in_volume)
         bsdfs_[i].set_volume(*media_.collision(visited_ + static_cast<int>(i)).phase);
       else
-        build_bsdf<M>(points_[i], bsdfs_[i]);
-    } else if constexpr (M::kSpectral) {
-      const int number = reached_by_[first + i];
-      if (disperses(points_[i])) color_.end_secondary(number, path.throughput);
-      build_bsdf<M>(points_[i], color_.wavelengths(number), bsdfs_[i]);
+        build_surface_bsdf(number, points_[i], bsdfs_[i]);
     } else {
-      build_bsdf<M>(points_[i], bsdfs_[i]);
+      build_surface_bsdf(number, points_[i], bsdfs_[i]);
     }
     positions_.set(i, points_[i].position);
-    pixel_seeds_[i] = path.seed;
+    pixel_seeds_[i] = state(number).seed;
   }
 }
 
@@ -551,7 +565,7 @@ void PathWavefront<M>::resolve_connections() {
     if constexpr (M::kMedia) {
       const uint32_t seed = connection_seed(connected_[slot]);
       const Color transmittance =
-          color_.transmittance(connected_[slot], media_.transmittance(slot, blocked, seed, path.time, rays_traced_));
+          media_.transmittance(slot, connected_[slot], blocked, seed, path.time, rays_traced_);
       const Color contribution = contributions_[slot] * transmittance;
       if (!is_black(transmittance)) path.radiance += contribution;
       if (recorder_) [[unlikely]]

@@ -19,6 +19,7 @@ class MaterialExporter {
     export_bsdf_model(out_, m_.model, to_);
     export_layering(out_, m_.layering, to_);
     export_glass(out_, m_.glass, to_);
+    export_emission_spectrum(out_, m_.emission_spectrum, to_);
     export_medium(out_, m_, to_);
     return std::move(to_);
   }

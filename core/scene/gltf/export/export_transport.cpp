@@ -24,6 +24,13 @@ void put_sky(Json& to, const Sky& sky) {
   if (!sky.sun_disk) to["sunDisk"] = false;
 }
 
+// The spectrum of an emitter. Files are relative to the folder.
+void put_spectrum(Json& to, const char* member, const EmissionSpectrumRef& spectrum,
+                  const std::filesystem::path& folder) {
+  if (!spectrum) return;
+  to[member] = names_spectrum_file(spectrum.name) ? uri_of(spectrum.name, folder) : spectrum.name;
+}
+
 Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   const Environment& e = out.scene.environment;
   Json to = Json::object();
@@ -36,6 +43,7 @@ Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
   put(to, "rotation", e.rotation, 0);
   if (!e.visible) to["visible"] = false;
+  put_spectrum(to, "spectrum", e.spectrum, folder);
   if (e.sky && e.file == to.value("preset", "")) put_sky(to, *e.sky);
   if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);
   return to;
@@ -113,6 +121,10 @@ void export_glass(OutputFile& out, Glass glass, Json& object) {
   if (const SellmeierFormula* formula = find_sellmeier(glass)) out.extend(object, kTransport)["glass"] = formula->name;
 }
 
+void export_emission_spectrum(OutputFile& out, const EmissionSpectrumRef& spectrum, Json& object) {
+  if (spectrum) put_spectrum(out.extend(object, kTransport), "emissionSpectrum", spectrum, out.folder);
+}
+
 // Writes the type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
 void export_light_extension(OutputFile& out, const Light& light, const std::filesystem::path& folder, Json& object) {
   const LightTypeInfo& type = light.info();
@@ -130,6 +142,7 @@ void export_light_extension(OutputFile& out, const Light& light, const std::file
     const bool is_file = p.validate_text && std::ranges::count(p.options, member.get<std::string>()) == 0;
     if (is_file) member = uri_of(member.get<std::string>(), folder);
   }
+  put_spectrum(to, "spectrum", light.spectrum, folder);
   if (!to.empty()) out.extend(object, kTransport) = std::move(to);
 }
 

@@ -79,6 +79,7 @@ void export_camera_extension(OutputFile& out, const Camera& camera, Json& object
 void export_bsdf_model(OutputFile& out, const BsdfModelRef& model, Json& object);
 void export_layering(OutputFile& out, Layering layering, Json& object);
 void export_glass(OutputFile& out, Glass glass, Json& object);
+void export_emission_spectrum(OutputFile& out, const EmissionSpectrumRef& spectrum, Json& object);
 void export_medium(OutputFile& out, const Material& material, Json& object);
 void export_light_extension(OutputFile& out, const Light& light, const std::filesystem::path& folder, Json& object);
 

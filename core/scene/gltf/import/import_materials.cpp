@@ -172,6 +172,7 @@ class MaterialImporter {
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_dispersion"))
       to_.dispersion = limited(number_or(*e, "dispersion", 0), 0, kLargestDispersion, "dispersion");
     to_.glass = import_glass(from_.extensions, where_, scene_.warnings);
+    to_.emission_spectrum = import_emission_spectrum(input_, from_.extensions, where_, scene_.warnings);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_specular")) specular(*e);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_transmission")) {
       to_.transmission = factor_in(*e, "transmissionFactor", 0);

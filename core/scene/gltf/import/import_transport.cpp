@@ -61,12 +61,33 @@ Sky read_sky(TransportReader& reader, const Sky& defaults) {
   return sky;
 }
 
+// The spectrum of an emitter that a member names; none without the member.
+EmissionSpectrumRef read_spectrum_name(TransportReader& reader, const char* member,
+                                       const std::filesystem::path& folder) {
+  const std::string text = reader.text(member);
+  if (text.empty()) return {};
+  std::string name = text;
+  if (names_spectrum_file(text)) {
+    const auto file = file_of_uri(folder, text);
+    if (!file) {
+      reader.warn(std::string(member) + ": '" + shown_uri(text) + "' is not a local file; it is ignored");
+      return {};
+    }
+    name = file->lexically_normal().string();
+  }
+  const auto spectrum = find_emission_spectrum(name);
+  if (spectrum) return *spectrum;
+  reader.warn(std::string(member) + ": " + spectrum.error().message + "; it is ignored");
+  return {};
+}
+
 Environment read_environment(const InputFile& input, TransportReader reader) {
   constexpr float kLowest = std::numeric_limits<float>::lowest();
   Environment environment;
   environment.tint = reader.color("tint", Rgb(1));
   environment.rotation = reader.number("rotation", 0, kLowest);
   environment.visible = reader.flag("visible", true);
+  environment.spectrum = read_spectrum_name(reader, "spectrum", input.folder);
   if (const std::string preset = reader.text("preset"); !preset.empty()) {
     if (const BuiltinEnvironment* builtin = find_builtin_environment(preset)) {
       Environment made = make_environment(*builtin);
@@ -74,6 +95,7 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
       made.tint = environment.tint;
       made.rotation = environment.rotation;
       made.visible = environment.visible;
+      made.spectrum = environment.spectrum;
       environment = std::move(made);
     } else {
       reader.warn("preset: there is no environment '" + preset + "'; the tint alone lights the scene");
@@ -192,6 +214,14 @@ Glass import_glass(const tinygltf::ExtensionMap& extensions, const std::string& 
   return Glass::none;
 }
 
+EmissionSpectrumRef import_emission_spectrum(const InputFile& input, const tinygltf::ExtensionMap& extensions,
+                                             const std::string& where, std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, kTransport);
+  if (!extension) return {};
+  TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
+  return read_spectrum_name(reader, "emissionSpectrum", input.folder);
+}
+
 std::string member_name(std::string_view parameter) {
   std::string name;
   for (const char c : parameter) {
@@ -220,6 +250,7 @@ void import_light_extension(const InputFile& input, const tinygltf::ExtensionMap
   }
   for (const ParameterInfo& info : light.model->parameters())
     read_parameter(*extension, reader, info, input.folder, light);
+  light.spectrum = read_spectrum_name(reader, "spectrum", input.folder);
 }
 
 Vec2 import_portal(const tinygltf::ExtensionMap& extensions, const std::string& where,

@@ -47,6 +47,9 @@ BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const s
 // ETENDUE_transport of a material: the glass whose index of refraction it has.
 Glass import_glass(const tinygltf::ExtensionMap& extensions, const std::string& where,
                    std::vector<std::string>& warnings);
+// ETENDUE_transport of a material: the spectrum of its emission.
+EmissionSpectrumRef import_emission_spectrum(const InputFile& input, const tinygltf::ExtensionMap& extensions,
+                                             const std::string& where, std::vector<std::string>& warnings);
 Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
                          std::vector<std::string>& warnings);
 // ETENDUE_transport of a light: properties that KHR_lights_punctual does not have.

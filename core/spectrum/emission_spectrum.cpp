@@ -1,0 +1,120 @@
+#include "spectrum/emission_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "spectrum/uplift.h"
+
+namespace etendue {
+namespace {
+
+std::vector<Option> spectrum_presets() {
+  std::vector<Option> options{{kNoSpectrum, "From the colour"}};
+  for (const Illuminant& illuminant : illuminants()) options.push_back({illuminant.name, illuminant.label});
+  return options;
+}
+
+Result<void> accepts_emission_spectrum(std::string_view name) {
+  const auto found = find_emission_spectrum(name);
+  if (!found) return found.error();
+  return {};
+}
+
+// The mean of the visible part within half a nanometre, so that narrow lines are not missed.
+double mean_around(const Spectrum& spectrum, double wavelength) {
+  constexpr int kSteps = 20;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i)
+    sum += spectrum(std::clamp(wavelength - 0.5 + (i + 0.5) / kSteps, kFirstWavelength, kLastWavelength));
+  return sum / kSteps;
+}
+
+}  // namespace
+
+EmissionSpectrum::EmissionSpectrum(const Spectrum& spectrum) {
+  std::array<double, kNodes> relative{};
+  std::array<double, 3> sum{};
+  for (size_t i = 0; i < kNodes; ++i) {
+    const double wavelength = kFirstWavelength + static_cast<double>(i);
+    relative[i] = mean_around(spectrum, wavelength) / d65_at(wavelength);
+    const auto weights = relative_rgb_weights(wavelength);
+    const double width = i == 0 || i + 1 == kNodes ? 0.5 : 1;
+    for (size_t c = 0; c < 3; ++c) sum[c] += width * relative[i] * weights[c];
+  }
+  const double luminance = 0.2126 * sum[0] + 0.7152 * sum[1] + 0.0722 * sum[2];
+  if (!(luminance > 0)) {
+    rgb_ = Rgb(0);
+    return;
+  }
+  for (size_t i = 0; i < kNodes; ++i) values_[i] = static_cast<float>(relative[i] / luminance);
+  for (int c = 0; c < 3; ++c) rgb_[c] = static_cast<float>(std::max(sum[static_cast<size_t>(c)] / luminance, 0.0));
+}
+
+SampledSpectrum EmissionSpectrum::at(const Wavelengths& wavelengths) const {
+  SampledSpectrum result;
+  for (size_t i = 0; i < wavelengths.nm.size(); ++i) {
+    const float x =
+        std::clamp(wavelengths.nm[i] - static_cast<float>(kFirstWavelength), 0.0f, static_cast<float>(kNodes - 1));
+    const size_t node = std::min(static_cast<size_t>(x), kNodes - 2);
+    const float t = x - static_cast<float>(node);
+    result.values[i] = values_[node] * (1 - t) + values_[node + 1] * t;
+  }
+  return result;
+}
+
+// Components outside the gamut take the largest factor of the others.
+Rgb EmissionSpectrum::factor_of(const Rgb& emitted) const {
+  Rgb factor = ratio(emitted, rgb_);
+  const float largest = max_component(factor);
+  for (int c = 0; c < 3; ++c)
+    if (rgb_[c] == 0) factor[c] = largest;
+  return factor;
+}
+
+SampledSpectrum EmissionSpectrum::emission(const Rgb& emitted, const Wavelengths& wavelengths) const {
+  constexpr float kRounding = 1e-5f;
+  const Rgb factor = factor_of(emitted);
+  const auto [least, largest] = std::minmax({factor.r, factor.g, factor.b});
+  if (largest - least <= kRounding * largest) return at(wavelengths) * largest;
+  return at(wavelengths) * uplift_emission(factor, wavelengths);
+}
+
+Result<EmissionSpectrumRef> find_emission_spectrum(std::string_view name) {
+  static std::mutex mutex;
+  static std::map<std::string, std::shared_ptr<const EmissionSpectrum>, std::less<>> known;
+  EmissionSpectrumRef ref;
+  if (name.empty() || name == kNoSpectrum) return ref;
+  ref.name = name;
+  const std::scoped_lock lock(mutex);
+  // Errors are not kept: the file may appear or be corrected.
+  if (const auto found = known.find(name); found != known.end()) {
+    ref.spectrum = found->second;
+    return ref;
+  }
+  const auto spectrum = find_spectrum(ref.name);
+  if (!spectrum) return spectrum.error();
+  auto prepared = std::make_shared<const EmissionSpectrum>(*spectrum);
+  if (is_black(prepared->rgb()))
+    return input_error("'" + ref.name + "' emits no visible light; give a spectrum with power between 380 and 780 nm");
+  ref.spectrum = known[ref.name] = std::move(prepared);
+  return ref;
+}
+
+EmissionSpectrumRef emission_spectrum_or_none(std::string_view name) {
+  const auto found = find_emission_spectrum(name);
+  return found ? *found : EmissionSpectrumRef();
+}
+
+Text emission_spectrum_parameter(const char* name, const EmissionSpectrumRef& value) {
+  return {name,
+          "Spectrum",
+          value ? value.name : kNoSpectrum,
+          "Distribution over the wavelengths: an illuminant, a temperature such as 2700K, or a file with a wavelength in "
+          "nm and a value per row. The colour multiplies it. None: a smooth spectrum of the colour",
+          accepts_emission_spectrum,
+          spectrum_presets()};
+}
+
+}  // namespace etendue

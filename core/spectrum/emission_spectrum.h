@@ -1,0 +1,66 @@
+// Spectra of emitters: illuminants, black bodies and measured spectra, by name.
+//
+// A spectrum gives an emitter its distribution over the wavelengths; the scale comes from the emitter. Spectra are
+// relative to illuminant D65, as all spectral quantities of paths (wavelengths.h), and scaled to a luminance of 1.
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parameter.h"
+#include "spectrum/spectrum.h"
+#include "spectrum/wavelengths.h"
+
+namespace etendue {
+
+class EmissionSpectrum {
+ public:
+  // `spectrum` must not be black between 380 and 780 nm.
+  explicit EmissionSpectrum(const Spectrum& spectrum);
+
+  // The linear sRGB value, which RGB rendering uses. Its luminance is 1 unless a component lies outside the gamut:
+  // negative components are 0.
+  const Rgb& rgb() const { return rgb_; }
+
+  // The spectrum relative to D65, linear between whole nanometres.
+  SampledSpectrum at(const Wavelengths& wavelengths) const;
+
+  // The spectrum of an emitter whose RGB value is `emitted`, that of this spectrum times a factor. A factor with a
+  // colour, of a texture or tint, is a smooth spectrum (uplift.h).
+  SampledSpectrum emission(const Rgb& emitted, const Wavelengths& wavelengths) const;
+
+ private:
+  static constexpr size_t kNodes = 401;
+
+  Rgb factor_of(const Rgb& emitted) const;
+
+  std::array<float, kNodes> values_{};
+  Rgb rgb_{1};
+};
+
+// The spectrum of an emitter by name; none if the name is kNoSpectrum. Two are equal if their names are.
+struct EmissionSpectrumRef {
+  std::string name;
+  std::shared_ptr<const EmissionSpectrum> spectrum = nullptr;
+
+  explicit operator bool() const { return spectrum != nullptr; }
+  const EmissionSpectrum* operator->() const { return spectrum.get(); }
+  // The linear sRGB value of an emitter with this colour.
+  Rgb applied_to(const Rgb& color) const { return spectrum ? color * spectrum->rgb() : color; }
+  friend bool operator==(const EmissionSpectrumRef& a, const EmissionSpectrumRef& b) { return a.name == b.name; }
+};
+
+// Stands for an emitter whose spectrum follows from its RGB colour.
+inline constexpr const char* kNoSpectrum = "none";
+
+// kNoSpectrum, an illuminant, a temperature such as "2700K", or the path of a file (spectrum.h).
+Result<EmissionSpectrumRef> find_emission_spectrum(std::string_view name);
+// The same; no spectrum if the name is not valid.
+EmissionSpectrumRef emission_spectrum_or_none(std::string_view name);
+
+// The parameter of an emitter that names its spectrum.
+Text emission_spectrum_parameter(const char* name, const EmissionSpectrumRef& value);
+
+}  // namespace etendue
