@@ -57,8 +57,8 @@ json smooth_approximation_json(const Spectrum& spectrum) {
   for (int nm = 380; nm <= 780; ++nm) {
     Wavelengths wavelengths;
     wavelengths.nm.fill(static_cast<float>(nm));
-    samples.push_back({static_cast<double>(nm),
-                       scale * d65_at(nm) * static_cast<double>(uplift_emission(color, wavelengths)[0])});
+    samples.push_back(
+        {static_cast<double>(nm), scale * d65_at(nm) * static_cast<double>(uplift_emission(color, wavelengths)[0])});
     squared += std::pow(samples.back().value - spectrum(nm), 2);
     norm += std::pow(spectrum(nm), 2);
   }
@@ -71,8 +71,8 @@ json approximations_json(const Spectrum& spectrum, int functions) {
   const auto& options = Options<SpectralBasis>::kOptions;
   for (size_t i = 0; i < options.size(); ++i) {
     const BasisExpansion expansion(static_cast<SpectralBasis>(i), static_cast<size_t>(functions), spectrum);
-    list.push_back(approximation_json(options[i].name, functions, expansion.relative_error(spectrum), expansion.xyz(),
-                                      spectrum));
+    list.push_back(
+        approximation_json(options[i].name, functions, expansion.relative_error(spectrum), expansion.xyz(), spectrum));
   }
   list.push_back(smooth_approximation_json(spectrum));
   return list;

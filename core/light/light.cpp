@@ -195,7 +195,8 @@ bool Light::set(std::string_view key, const Value& value) {
 }
 
 bool operator==(const Light& a, const Light& b) {
-  return a.name == b.name && a.color == b.color && a.spectrum == b.spectrum && (a.model == b.model || a.model->equals(*b.model));
+  return a.name == b.name && a.color == b.color && a.spectrum == b.spectrum &&
+         (a.model == b.model || a.model->equals(*b.model));
 }
 
 Light make_light(std::string_view type, std::initializer_list<std::pair<std::string_view, Value>> parameters) {

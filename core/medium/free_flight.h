@@ -54,8 +54,8 @@ class BasicFreeFlight {
   // `random` is read after the first collision with the majorant.
   std::optional<float> pass(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
                             const RaySpan& span, RandomStream& random);
-  std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random)
-    requires(std::is_same_v<Color, Rgb>) {
+  std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span,
+                            RandomStream& random) requires(std::is_same_v<Color, Rgb>) {
     return pass(medium, medium, span, random);
   }
   // Passes through a medium that does not scatter.

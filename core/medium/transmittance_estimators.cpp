@@ -58,7 +58,8 @@ void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, f
 // Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
 // fraction of null collisions, in each channel.
 template <class Color>
-Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random, Color* emitted) {
+Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                     const RaySpan& span, RandomStream& random, Color* emitted) {
   const GridRay ray = medium.in_grid(span);
   Color estimate(1);
   float largest = largest_extinction(coefficients, estimate);
@@ -81,7 +82,8 @@ Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoeff
 // The lowest density of each coarse cell attenuates in closed form. Ratio tracking estimates the rest, whose majorant is
 // the difference between the highest and the lowest density.
 template <class Color>
-Color residual_ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random) {
+Color residual_ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                              const RaySpan& span, RandomStream& random) {
   const GridRay ray = medium.in_grid(span);
   Color estimate(1);
   float largest = largest_extinction(coefficients, estimate);
@@ -103,14 +105,16 @@ Color residual_ratio_tracking(const HeterogeneousMedium& medium, const Heterogen
 
 // 1 if a free flight passes the span, else 0; in several colours weighted by the balance heuristic.
 template <class Color>
-Color delta_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span, RandomStream& random) {
+Color delta_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                     const RaySpan& span, RandomStream& random) {
   BasicFreeFlight<Color> flight(Color(1), random.next());
   return flight.pass(medium, coefficients, span, random) ? Color(0) : flight.weight();
 }
 
 // The optical depth voxel by voxel, in closed form.                                          [Amanatides and Woo 1987]
 template <class Color>
-Color regular_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span) {
+Color regular_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                       const RaySpan& span) {
   const auto depth = static_cast<float>(medium.grid->integral(medium.in_grid(span)));
   return exponential_of(coefficients.extinction * (depth * HeterogeneousMedium::metres(span)));
 }

@@ -21,7 +21,7 @@ constexpr const char* kGltfModel = "gltf";
 
 // Whether a parameter of the glTF surface also applies to materials with a reflection model.
 bool applies_to_all_models(std::string_view name) {
-  constexpr std::array<std::string_view, 8> kPrefixes{"base-color.", "alpha",     "normal-scale", "double-sided",
+  constexpr std::array<std::string_view, 8> kPrefixes{"base-color.", "alpha",    "normal-scale", "double-sided",
                                                       "unlit",       "emission", "attenuation-", "dispersion"};
   return std::ranges::any_of(kPrefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
@@ -126,9 +126,7 @@ class MaterialParameterList {
     Text description = emission_spectrum_parameter("emission-spectrum", material_.emission_spectrum);
     description.label = "Emission spectrum";
     list_.push_back(make_parameter(section_, description, [index = index_](Document& d, const std::string& name) {
-      edit_scene(d, [&](scene::Scene& s) {
-        s.materials[index].emission_spectrum = emission_spectrum_or_none(name);
-      });
+      edit_scene(d, [&](scene::Scene& s) { s.materials[index].emission_spectrum = emission_spectrum_or_none(name); });
     }));
   }
 

@@ -181,12 +181,10 @@ DocumentParameters environment_parameters(const Document& document) {
                                 Toggle{"visible", "Visible to camera", e.visible,
                                        "Shows the environment as background. It illuminates the scene in either case"},
                                 store(&Environment::visible)));
-  list.push_back(make_parameter(section, emission_spectrum_parameter("spectrum", e.spectrum),
-                                [](Document& d, const std::string& name) {
-                                  edit_scene(d, [&](scene::Scene& s) {
-                                    s.environment.spectrum = emission_spectrum_or_none(name);
-                                  });
-                                }));
+  list.push_back(make_parameter(
+      section, emission_spectrum_parameter("spectrum", e.spectrum), [](Document& d, const std::string& name) {
+        edit_scene(d, [&](scene::Scene& s) { s.environment.spectrum = emission_spectrum_or_none(name); });
+      }));
   if (e.sky) add_sky_parameters(list, *e.sky);
   return list;
 }

@@ -234,8 +234,7 @@ Result<MeasuredSpectrum> measure_irradiance_spectrum(const Document& document, c
                                                      const MeterPoint& point, uint32_t samples,
                                                      const std::function<bool()>& keep_going) {
   const Document card = irradiance_measurement(document, point, card_radius(scene, point));
-  const auto spectrum =
-      measure_spectrum(card, scene::compile(card.scene, card.camera, nullptr), samples, keep_going);
+  const auto spectrum = measure_spectrum(card, scene::compile(card.scene, card.camera, nullptr), samples, keep_going);
   if (!spectrum) return spectrum.error();
   return spectrum->times(double{kPi});
 }

@@ -74,8 +74,7 @@ bool add_sample(const PreparedDocument& prepared, integrator::RenderState& state
   std::array<Rgb, PixelBlock::kMostPixels> pixels;
   for (int y = 0; y < prepared.height(); y += PixelBlock::kHeight)
     for (int x = 0; x < prepared.width(); x += PixelBlock::kWidth) {
-      const PixelBlock block =
-          integrator::block_containing(x, y, prepared.width(), prepared.height(), sample);
+      const PixelBlock block = integrator::block_containing(x, y, prepared.width(), prepared.height(), sample);
       if (!state.sample(block, pixels, {.keep_going = &keep_going, .spectra = &samples})) return false;
     }
   return true;

@@ -50,8 +50,6 @@ class BasisExpansion {
 
 template <>
 struct etendue::Options<etendue::SpectralBasis> {
-  static constexpr std::array<etendue::Option, 4> kOptions{{{"boxes", "Boxes"},
-                                                            {"samples", "Samples"},
-                                                            {"trigonometric", "Trigonometric"},
-                                                            {"gaussians", "Gaussians"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{
+      {{"boxes", "Boxes"}, {"samples", "Samples"}, {"trigonometric", "Trigonometric"}, {"gaussians", "Gaussians"}}};
 };

@@ -108,13 +108,14 @@ EmissionSpectrumRef emission_spectrum_or_none(std::string_view name) {
 }
 
 Text emission_spectrum_parameter(const char* name, const EmissionSpectrumRef& value) {
-  return {name,
-          "Spectrum",
-          value ? value.name : kNoSpectrum,
-          "Distribution over the wavelengths: an illuminant, a temperature such as 2700K, or a file with a wavelength in "
-          "nm and a value per row. The colour multiplies it. None: a smooth spectrum of the colour",
-          accepts_emission_spectrum,
-          spectrum_presets()};
+  return {
+      name,
+      "Spectrum",
+      value ? value.name : kNoSpectrum,
+      "Distribution over the wavelengths: an illuminant, a temperature such as 2700K, or a file with a wavelength in "
+      "nm and a value per row. The colour multiplies it. None: a smooth spectrum of the colour",
+      accepts_emission_spectrum,
+      spectrum_presets()};
 }
 
 }  // namespace etendue

@@ -142,7 +142,7 @@ const std::vector<Illuminant>& illuminants() {
       {"d65", "Illuminant D65, daylight", "CIE 15:2004",
        [] { return from_table([](size_t i) { return d65_at(table_wavelength(i)); }); }},
       {"e", "Illuminant E, equal energy", "CIE 15:2004", [] { return Spectrum::constant(1); }},
-      {"fl2", "Illuminant FL2, fluorescent lamp", "CIE 15:2004",
+      {"fl2", "Illuminant FL2, fluorescent tube", "CIE 15:2004",
        [] { return from_table([](size_t i) { return kIlluminantFl2[i]; }); }}};
   return all;
 }

@@ -27,7 +27,8 @@ class UpliftTable {
     if (!(scale > 0)) return {0, 0, kBlack};
     const float to_node = (uplift::kRatios - 1) / scale;
     const float x = color[(largest + 1) % 3] * to_node, y = color[(largest + 2) % 3] * to_node;
-    const size_t xi = std::min(static_cast<size_t>(x), uplift::kRatios - 2), yi = std::min(static_cast<size_t>(y), uplift::kRatios - 2),
+    const size_t xi = std::min(static_cast<size_t>(x), uplift::kRatios - 2),
+                 yi = std::min(static_cast<size_t>(y), uplift::kRatios - 2),
                  zi = interval_of(scale, guesses_[static_cast<size_t>(scale * (kGuesses - 1))]);
     const float fx = x - static_cast<float>(xi), fy = y - static_cast<float>(yi),
                 fz = (scale - scales_[zi]) / (scales_[zi + 1] - scales_[zi]);

@@ -51,8 +51,8 @@ requires(M::kScattering && !M::kSpectral) void build_bsdf(const scene::SurfacePo
 
 // The same in the spectral model. The BSDF refers to the wavelengths, too.
 template <class M>
-requires(M::kSpectral && !M::kScattering) void build_bsdf(const scene::SurfacePoint& point, const Wavelengths& wavelengths,
-                                       Bsdf<M>& bsdf) {
+requires(M::kSpectral && !M::kScattering) void build_bsdf(const scene::SurfacePoint& point,
+                                                          const Wavelengths& wavelengths, Bsdf<M>& bsdf) {
   bsdf.rebind(point.shading, point.ng);
   if (point.material->is_lambertian) {
     if (point.material->has_constant_base_color && point.texture.color == Vec4(1))

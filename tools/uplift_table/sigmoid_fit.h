@@ -11,7 +11,9 @@ namespace etendue {
 
 using Coefficients = std::array<double, 3>;
 
-inline double normalized(double wavelength) { return (wavelength - kFirstWavelength) / (kLastWavelength - kFirstWavelength); }
+inline double normalized(double wavelength) {
+  return (wavelength - kFirstWavelength) / (kLastWavelength - kFirstWavelength);
+}
 
 inline double sigmoid(double p) { return 0.5 + 0.5 * p / std::sqrt(1 + p * p); }
 inline double sigmoid_derivative(double p) { return 0.5 / ((1 + p * p) * std::sqrt(1 + p * p)); }

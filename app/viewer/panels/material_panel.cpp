@@ -22,8 +22,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 // Parameters of materials, without "material.N.", by the group that shows them.
-const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b", "emission.r", "emission.g", "emission.b",
-                         "emission-spectrum"};
+const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b",     "emission.r",
+                         "emission.g",   "emission.b",   "emission-spectrum"};
 const Names kAttenuationNames{"attenuation-color.r", "attenuation-color.g", "attenuation-color.b",
                               "attenuation-distance"};
 const Names kTransmissionNames{"transmission",        "thickness",           "attenuation-color.r",

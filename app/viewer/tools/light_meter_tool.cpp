@@ -70,8 +70,8 @@ void LightMeter::update(const TaskContext& context) {
   const auto point = render::meter_point_at(document, *scene, *raster_);
   if (!point) return task_.reset();
   // One thread, because the main rendering continues.
-  const auto work = [document, scene, point = *point, with_spectrum = with_spectrum_](
-                        const auto& publish, const bench::Progress& progress) {
+  const auto work = [document, scene, point = *point, with_spectrum = with_spectrum_](const auto& publish,
+                                                                                      const bench::Progress& progress) {
     Measurement measurement;
     bool keep_going = true;
     render::measure_light(document, scene, point, kSamples, 1, [&](const render::MeterReadings& readings) {
@@ -80,8 +80,8 @@ void LightMeter::update(const TaskContext& context) {
       return keep_going = progress(static_cast<double>(readings.samples) / kSamples, "");
     });
     if (!with_spectrum || !keep_going) return;
-    const auto spectrum = render::measure_radiance_spectrum(document, scene, point, kSpectralSamples,
-                                                            [&] { return progress(1, ""); });
+    const auto spectrum =
+        render::measure_radiance_spectrum(document, scene, point, kSpectralSamples, [&] { return progress(1, ""); });
     if (!spectrum) return;
     measurement.spectrum = *spectrum;
     publish(measurement);

@@ -100,8 +100,7 @@ template <class M>
 void append_spectra([[maybe_unused]] transport::PathWavefront<M>& paths,
                     [[maybe_unused]] std::vector<SpectralSample>& spectra) {
   if constexpr (M::kSpectral)
-    for (int i = 0; i < paths.size(); ++i)
-      spectra.push_back({paths.state(i).radiance, paths.color().wavelengths(i)});
+    for (int i = 0; i < paths.size(); ++i) spectra.push_back({paths.state(i).radiance, paths.color().wavelengths(i)});
 }
 
 // Copies the radiance of the paths to the pixels of the block. Returns the number of rays traced, or nothing if the

@@ -148,6 +148,7 @@ class ClassShares<M, true> {
 
   // Continues the path by a BSDF sample; false if no continuation belongs to the selected classes.
   bool scatter(int path, const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s) {
+    if ((alive(path) & ~constant_states_) == 0) return alive(path) != 0;
     if (s.type == ScatterType::volume)
       move(path, {Color(0), Color(0), Color(0), Color(1)});
     else if (s.delta)
@@ -219,7 +220,7 @@ class ClassShares<M, true> {
 
   void find_final_states() {
     const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, last_)); };
-    final_ = final_after_diffuse_ = final_after_glossy_ = final_after_volume_ = split_states_ = 0;
+    final_ = final_after_diffuse_ = final_after_glossy_ = final_after_volume_ = split_states_ = constant_states_ = 0;
     for (size_t i = 1; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
       const auto d = automaton_->next(q, Event::diffuse), g = automaton_->next(q, Event::glossy);
@@ -228,6 +229,9 @@ class ClassShares<M, true> {
       if (lit(g)) final_after_glossy_ |= bit(q);
       if (lit(automaton_->next(q, Event::volume))) final_after_volume_ |= bit(q);
       if (d != g) split_states_ |= bit(q);
+      const bool is_constant = d == q && g == q && automaton_->next(q, Event::specular) == q &&
+                               (!M::kScattering || automaton_->next(q, Event::volume) == q);
+      if (is_constant) constant_states_ |= bit(q);
     }
   }
 
@@ -238,6 +242,7 @@ class ClassShares<M, true> {
   States final_after_diffuse_ = 0, final_after_glossy_ = 0;  // after a D, a G
   States final_after_volume_ = 0;                            // after a V
   States split_states_ = 0;                                  // D and G lead to different states
+  States constant_states_ = 0;                               // every scattering event leads back, with the whole share
   // By path.
   std::array<States, SampleTable::kPaths + 1> alive_{};  // states with a share; other shares are undefined
   std::vector<Color> shares_;                            // by path and state

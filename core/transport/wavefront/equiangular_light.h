@@ -101,7 +101,9 @@ class EquiangularLight {
     const auto& medium = paths_.media().coefficients(path, *part.medium);
     const Color throughput = paths_.media().unattenuated(path) * part.transmittance *
                              medium.transmittance(distance - part.from) * medium.scattering;
-    Color contribution = throughput * paths_.color().emission(path, light.radiance, spectrum_of<M>(paths_.scene(), light)) * (phase * weight);
+    Color contribution = throughput *
+                         paths_.color().emission(path, light.radiance, spectrum_of<M>(paths_.scene(), light)) *
+                         (phase * weight);
     if constexpr (M::kClasses) contribution *= paths_.shares().volume_connection_share(path);
     if (is_black(contribution)) return;
     paths_.connect_from(path, point, part.stack, light.wi, light.distance) = contribution;

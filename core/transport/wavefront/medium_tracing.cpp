@@ -183,8 +183,7 @@ struct MediaBeforeInterval {
 
 template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                      scene::MediumStack stack, BasicMediumSegment<Color>& segment,
-                      const MediumColors<Color>& colors) {
+                      scene::MediumStack stack, BasicMediumSegment<Color>& segment, const MediumColors<Color>& colors) {
   const float scale = std::sqrt(length_squared(ray.direction));
   RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
@@ -254,14 +253,14 @@ BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const 
   return {segment.transmittance, average(segment.scattering_transmittance)};
 }
 
-#define ETENDUE_INSTANTIATE(Color)                                                                                   \
+#define ETENDUE_INSTANTIATE(Color)                                                                                    \
   template void complete_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float, scene::MediumStack, \
-                                 BasicMediumSegment<Color>&, const MediumColors<Color>&);                            \
+                                 BasicMediumSegment<Color>&, const MediumColors<Color>&);                             \
   template void sample_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                       \
                                const scene::MediumStack&, BasicFreeFlight<Color>, BasicFlightSegment<Color>&,         \
-                               const MediumColors<Color>&);                                                          \
+                               const MediumColors<Color>&);                                                           \
   template Color transmittance_without_boundaries(const scene::CompiledScene&, const Ray&, float, uint32_t,           \
-                                                  const scene::Solid*, const MediumColors<Color>&);                  \
+                                                  const scene::Solid*, const MediumColors<Color>&);                   \
   template void trace_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                        \
                               const scene::MediumStack&, BasicMediumSegment<Color>&, const MediumColors<Color>&);     \
   template BasicPassage<Color> connection_passage(const scene::CompiledScene&, const Ray&, float, uint32_t, float,    \

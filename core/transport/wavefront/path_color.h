@@ -32,7 +32,13 @@ class PathColor<M, true> {
   const Wavelengths& wavelengths(int path) const { return wavelengths_[static_cast<size_t>(path)]; }
 
   Color emission(int path, const Rgb& color, const EmissionSpectrum* spectrum) const {
-    return spectrum ? spectrum->emission(color, wavelengths(path)) : uplift_emission(color, wavelengths(path));
+    if (spectrum) return spectrum->emission(color, wavelengths(path));
+    // Many paths in succession find the same light.
+    if (!(color == last_color_)) {
+      last_color_ = color;
+      last_emission_ = RgbSpectrum::emission(color);
+    }
+    return last_emission_.at(wavelengths(path));
   }
   MediumColors<Color> media(int path) const { return {&wavelengths(path)}; }
   // An unbiased estimate of the RGB value.
@@ -51,6 +57,9 @@ class PathColor<M, true> {
   Wavelengths& at(int path) { return wavelengths_[static_cast<size_t>(path)]; }
 
   std::array<Wavelengths, SampleTable::kPaths> wavelengths_;
+  // The spectrum of the colour that was converted last.
+  mutable Rgb last_color_{0};
+  mutable RgbSpectrum last_emission_;
 };
 
 }  // namespace etendue::transport

@@ -103,7 +103,8 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     if (is_black(emitted)) continue;
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) *
-                              paths.color().emission(paths.path_at(i), emitted, scene.emission_spectrum(point)) * weight;
+                              paths.color().emission(paths.path_at(i), emitted, scene.emission_spectrum(point)) *
+                              weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_at(i), emitted, weight, contribution);

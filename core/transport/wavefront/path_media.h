@@ -3,6 +3,7 @@
 // In models with scattering media, a segment can end at a collision instead of a surface.
 #pragma once
 #include <array>
+#include <span>
 
 #include "sampling/sampler.h"
 #include "transport/mis/mis.h"
@@ -94,6 +95,9 @@ class PathMedia<M, true> {
   }
   // The collision at which vertex `slot` lies; without a phase function if it lies on a surface.
   const Collision& collision(int slot) const { return collisions_.at(slot); }
+  std::span<const Collision> collisions(int first_slot, size_t count) const {
+    return {&collisions_.at(first_slot), count};
+  }
 
   // Of the segment of a path that `sample_segment` completed: the probability that a flight passes it
   // (FreeFlight::survival), its first part in a scattering medium, its ray, and the throughput at its start.
@@ -120,8 +124,7 @@ class PathMedia<M, true> {
     }
     BasicMediumSegment<Color> segment;
     segment.hit = hit;
-    transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment,
-                                color_->media(path));
+    transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment, color_->media(path));
     throughput *= segment.transmittance;
     traced += segment.rays;
     hit = segment.hit;
@@ -171,8 +174,8 @@ class PathMedia<M, true> {
   // The transmittance of a connection of a path times its MIS weight.
   Color transmittance(size_t slot, int path, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
-    const auto passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced,
-                                                            color_->media(path));
+    const auto passage =
+        TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced, color_->media(path));
     if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
     return passage.transmittance;
   }
@@ -212,8 +215,9 @@ class PathMedia<M, true> {
   // By path, in models with scattering media.
   struct Flights {
     PerPath<float> survival;
-    PerPath<int8_t> channel;                 // kept by the path; -1: none
-    PerPath<Color> densities, next_densities;  // of paths that keep a channel, at the start of the segment and at its end
+    PerPath<int8_t> channel;  // kept by the path; -1: none
+    PerPath<Color> densities,
+        next_densities;  // of paths that keep a channel, at the start of the segment and at its end
     PerPath<BasicScatteringInterval<Color>> first;
   };
   struct NoFlights {};

@@ -467,8 +467,7 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
     Color emitted(0);
     const bool has_vertex = media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
                                                   scene_->scatters() ? random(vertex_dimension::kFreeFlight, ray) : 0,
-                                                  hit,
-                                                  path_state.throughput, emitted, rays_traced_);
+                                                  hit, path_state.throughput, emitted, rays_traced_);
     if (!is_black(emitted)) add_medium_emission(path, before, emitted);
     return has_vertex;
   }
@@ -490,10 +489,7 @@ void PathWavefront<M>::add_medium_emission(int path, Color throughput, const Col
 template <class M>
 void PathWavefront<M>::draw_free_flights() {
   if (!scene_->scatters()) return;
-  for (int i = 0; i < travelling_; ++i) {
-    const auto slot = static_cast<size_t>(i);
-    lane_seeds_[slot] = state(travellers_[slot]).seed;
-  }
+  for (size_t i = 0; i < static_cast<size_t>(travelling_); ++i) lane_seeds_[i] = state(travellers_[i]).seed;
   draw({lane_seeds_.data(), static_cast<size_t>(travelling_)}, static_cast<uint32_t>(depth_),
        dimensions(vertex_dimension::kFreeFlight, 1));
 }
@@ -502,24 +498,13 @@ void PathWavefront<M>::draw_free_flights() {
 template <class M>
 void PathWavefront<M>::compute_points(size_t first, size_t count) {
   const auto surfaces = [&](size_t begin, size_t end) {
-    if (begin < end)
-      scene_->surfaces({&wo_[first + begin], end - begin}, {&hits_[first + begin], end - begin}, &points_[begin],
-                       timed_ ? &times_[begin] : nullptr);
+    scene_->surfaces({&wo_[first + begin], end - begin}, {&hits_[first + begin], end - begin}, &points_[begin],
+                     timed_ ? &times_[begin] : nullptr);
   };
-  if constexpr (M::kScattering) {
-    size_t begin = 0;  // of a run of vertices on surfaces
-    for (size_t i = 0; i < count; ++i) {
-      const Collision& collision = media_.collision(visited_ + static_cast<int>(i));
-      points_[i].in_volume = false;
-      if (!collision.phase) continue;
-      surfaces(begin, i);
-      set_volume_point(collision, wo_[first + i], points_[i]);
-      begin = i + 1;
-    }
-    surfaces(begin, count);
-  } else {
+  if constexpr (M::kScattering)
+    set_points(media_.collisions(visited_, count), &wo_[first], points_.data(), surfaces);
+  else
     surfaces(0, count);
-  }
 }
 
 // The BSDF of a vertex on a surface. Paths end their secondary wavelengths where surfaces disperse light.
@@ -564,8 +549,7 @@ void PathWavefront<M>::resolve_connections() {
     PathState<Color>& path = state(connected_[slot]);
     if constexpr (M::kMedia) {
       const uint32_t seed = connection_seed(connected_[slot]);
-      const Color transmittance =
-          media_.transmittance(slot, connected_[slot], blocked, seed, path.time, rays_traced_);
+      const Color transmittance = media_.transmittance(slot, connected_[slot], blocked, seed, path.time, rays_traced_);
       const Color contribution = contributions_[slot] * transmittance;
       if (!is_black(transmittance)) path.radiance += contribution;
       if (recorder_) [[unlikely]]

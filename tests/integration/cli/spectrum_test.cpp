@@ -15,7 +15,7 @@ TEST_F(Cli, SpectraAreListed) {
   ASSERT_EQ(listed.code, 0) << listed.err;
   std::map<std::string, int> classes;
   for (const auto& entry : json::parse(listed.out)) ++classes[entry["class"].get<std::string>()];
-  EXPECT_EQ(classes, (std::map<std::string, int>{{"illuminant", 3}, {"metal", 4}, {"glass", 5}}));
+  EXPECT_EQ(classes, (std::map<std::string, int>{{"illuminant", 4}, {"metal", 4}, {"glass", 5}}));
 }
 
 TEST_F(Cli, SpectrumShowsColorAndEfficacy) {
@@ -25,6 +25,19 @@ TEST_F(Cli, SpectrumShowsColorAndEfficacy) {
   EXPECT_NEAR(j["chromaticity"][0].get<double>(), 0.31272, 1e-4);
   for (const auto& c : j["rgb"]) EXPECT_NEAR(c.get<double>(), 1, 1e-6);
   EXPECT_EQ(run("spectrum 2700K").code, 0);
+}
+
+// More functions approximate the illuminant better than three numbers of its colour.
+TEST_F(Cli, SpectrumComparesApproximations) {
+  const Outcome r = run("spectrum a --basis 16 --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json list = json::parse(r.out)["approximations"];
+  ASSERT_EQ(list.size(), 5U);
+  EXPECT_EQ(list[0]["approximation"], "boxes");
+  for (const json& j : list) EXPECT_LT(j["relative_error"].get<double>(), 0.3) << j;
+  EXPECT_LT(list[0]["relative_error"], list[4]["relative_error"]);
+  EXPECT_LT(list[4]["color_error"].get<double>(), 0.02);
+  expect_error("spectrum a --basis 100", 2, "--basis");
 }
 
 TEST_F(Cli, SpectrumReportsErrors) {

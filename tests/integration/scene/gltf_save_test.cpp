@@ -86,6 +86,7 @@ Material rich_material() {
   m.normal_scale = -number();
   m.emission = color() * 37.0f;
   m.emission_texture = use(1);
+  m.emission_spectrum = *find_emission_spectrum("fl2");
   m.alpha_mode = AlphaMode::mask;
   m.alpha_cutoff = number();
   m.double_sided = true;
@@ -162,8 +163,7 @@ TEST_F(Saving, Atmosphere) {
   scene.atmosphere.medium.estimator = TransmittanceEstimator::delta;
   EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
   scene.atmosphere.radius = kInfinity;
-  scene.atmosphere.medium.phase.function =
-      make_phase_function("tabulated")->with("values", std::string("1 0.5 3"));
+  scene.atmosphere.medium.phase.function = make_phase_function("tabulated")->with("values", std::string("1 0.5 3"));
   EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
 }
 
@@ -437,6 +437,32 @@ Value other_value(const ParameterInfo& p) {
     default:
       return p.options.back();
   }
+}
+
+// Spectra are stored by name; the path of a file is relative to the scene.
+TEST_F(Saving, SpectraOfEmitters) {
+  std::ofstream(folder_ / "bulb.csv") << "400,1\n700,3\n";
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  for (const std::string& name : {std::string("a"), std::string("3000K"), (folder_ / "bulb.csv").string()}) {
+    Light light = make_light("spot");
+    light.spectrum = *find_emission_spectrum(name);
+    scene::add(before, light, {});
+  }
+  before.environment.tint = Rgb(1);
+  before.environment.spectrum = *find_emission_spectrum("d65");
+  const scene::Scene after = saved(before);
+  EXPECT_EQ(difference(before, after), "");
+  EXPECT_TRUE(after.lights.back().spectrum);
+  const json lights = description(before)["extensions"]["KHR_lights_punctual"]["lights"];
+  EXPECT_EQ(lights.back()["extensions"]["ETENDUE_transport"]["spectrum"], "bulb.csv");
+
+  json file = json::parse(std::ifstream(folder_ / "described.gltf"));
+  file["extensions"]["KHR_lights_punctual"]["lights"].back()["extensions"]["ETENDUE_transport"]["spectrum"] = "no.csv";
+  std::ofstream(folder_ / "lost.gltf") << file;
+  const auto lost = scene::load_gltf(folder_ / "lost.gltf");
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(lost->lights.back().spectrum);
+  EXPECT_TRUE(warns(*lost, "ETENDUE_transport.spectrum: ")) << all(lost->warnings);
 }
 
 // ETENDUE_transport keeps what KHR_lights_punctual cannot hold; other readers find point lights of the same power.

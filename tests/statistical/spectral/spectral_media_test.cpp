@@ -38,7 +38,8 @@ void make_grey(Document& d) {
   auto scene = std::make_shared<scene::Scene>(*d.scene);
   const auto grey = [](Rgb& c) { c = Rgb(luminance(c)); };
   for (Material& m : scene->materials) {
-    for (Rgb* c : {&m.base_color, &m.emission, &m.attenuation_color, &m.medium.scattering, &m.medium.absorption}) grey(*c);
+    for (Rgb* c : {&m.base_color, &m.emission, &m.attenuation_color, &m.medium.scattering, &m.medium.absorption})
+      grey(*c);
     m.medium.emission = Rgb(luminance(m.medium.emission));
   }
   for (Light& light : scene->lights) grey(light.color);
@@ -83,9 +84,8 @@ TEST(SpectralMedia, AbsorbByBeersLawAtEachWavelength) {
     add(scene, scene::box(Vec3(0.5f * thickness)), medium_boundary(medium(Rgb(0), absorption)));
     scene.environment.tint = Rgb(1);
     const Document d = small_view(std::move(scene), {0.01f, 0.02f, 5}, {0.01f, 0.02f, 0});
-    const Rgb expected = rgb_of_wavelengths([&](float nm) {
-      return std::exp(-static_cast<double>(at_one_wavelength(spectrum, nm)[0] * thickness));
-    });
+    const Rgb expected = rgb_of_wavelengths(
+        [&](float nm) { return std::exp(-static_cast<double>(at_one_wavelength(spectrum, nm)[0] * thickness)); });
     for (const char* integrator : kSpectralIntegrators)
       expect_radiance(with_integrator(in_spectra(d), integrator), 1024, expected, 0.01, integrator);
     for (int c = 0; depth == 1 && c < 3; ++c) EXPECT_NEAR(expected[c], std::exp(-absorption[c] * thickness), 0.003f);
@@ -109,8 +109,8 @@ TEST(SpectralMedia, AttenuationOfSolidsIsMultiplicative) {
 // ---- Conservation of energy.
 
 TEST(SpectralMedia, WithoutAbsorptionAreInvisibleInAFurnace) {
-  for (const Material& ball : {medium_boundary(medium({3, 1, 0.3f}, Rgb(0), 0.5f)),
-                               test::turbid_liquid(1.5f, medium({3, 1, 0.3f}))}) {
+  for (const Material& ball :
+       {medium_boundary(medium({3, 1, 0.3f}, Rgb(0), 0.5f)), test::turbid_liquid(1.5f, medium({3, 1, 0.3f}))}) {
     scene::Scene scene;
     add(scene, test::sphere(1, 24, false), ball);
     scene.environment.tint = Rgb(1);
@@ -165,7 +165,7 @@ Document medium_above_floor(const MediumDescription& m) {
     return below;
   }());
   scene.environment.tint = Rgb(1);
-  return small_view(std::move(scene), {0, 0.4f, 4}, {0, 0, 0}, 0.3f);
+  return small_view(std::move(scene), {0.1f, 0.4f, 4}, {0.1f, 0, 0});
 }
 
 // The spectral radiance of an interval equals that of a rendering whose coefficients are grey, with the values in the

@@ -161,7 +161,8 @@ TEST(Spectral, IsChosenOnlyForDispersion) {
   };
   const Document glass = test::bubble();
   EXPECT_EQ(decision(glass), "RGB: no material disperses light and no emitter has a spectrum");
-  EXPECT_EQ(decision(spectral(glass)), "spectral: no material disperses light and no emitter has a spectrum; spectral selected");
+  EXPECT_EQ(decision(spectral(glass)),
+            "spectral: no material disperses light and no emitter has a spectrum; spectral selected");
   auto scene = std::make_shared<scene::Scene>(*glass.scene);
   for (Material& m : scene->materials)
     if (m.is_solid()) m.dispersion = 0.5f, m.name = "flint";

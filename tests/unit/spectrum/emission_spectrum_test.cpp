@@ -26,10 +26,8 @@ TEST(EmissionSpectrum, IlluminantsHaveThePublishedChromaticities) {
   const struct {
     const char* name;
     PublishedXy published;
-  } cases[] = {{"a", {0.44758, 0.40745}},
-               {"d65", {0.31272, 0.32903}},
-               {"e", {1 / 3.0, 1 / 3.0}},
-               {"fl2", {0.3721, 0.3751}}};
+  } cases[] = {
+      {"a", {0.44758, 0.40745}}, {"d65", {0.31272, 0.32903}}, {"e", {1 / 3.0, 1 / 3.0}}, {"fl2", {0.3721, 0.3751}}};
   for (const auto& [name, published] : cases) {
     const PublishedXy found = xy_of_spectrum(*find_spectrum(name));
     EXPECT_NEAR(found.x, published.x, 2e-4) << name;
@@ -37,7 +35,7 @@ TEST(EmissionSpectrum, IlluminantsHaveThePublishedChromaticities) {
   }
 }
 
-// The Planckian locus for c_2 = 1.4388e-2 m K [Wyszecki and Stiles 1982, table 1(3.11)].
+// The Planckian locus for c_2 = 1.4388e-2 m K [Wyszecki and Stiles 2000, table 1(3.11)].
 TEST(EmissionSpectrum, BlackBodiesLieOnThePlanckianLocus) {
   const struct {
     const char* name;
