@@ -50,7 +50,7 @@ class SpectralBins {
   MeasuredSpectrum spectrum() const {
     MeasuredSpectrum s;
     for (size_t i = 0; i < bins_.size(); ++i) {
-      const Bin& b = bins_[i];
+      const Bin& b = bins_[nearest_with_samples(i)];
       if (!(b.weight > 0)) continue;
       const double d65 = radiance_of_d65(MeasuredSpectrum::wavelength(i)), mean = b.sum / b.weight;
       const double variance = std::max(b.squares / b.weight - mean * mean, 0.0);
@@ -64,6 +64,17 @@ class SpectralBins {
   struct Bin {
     double weight = 0, sum = 0, squares = 0, squared_weight = 0;
   };
+
+  // Few paths have wavelengths at the ends of the range: intervals without samples take the value of the nearest one
+  // with samples, relative to D65.
+  size_t nearest_with_samples(size_t bin) const {
+    for (size_t distance = 0; distance < bins_.size(); ++distance) {
+      if (bin >= distance && bins_[bin - distance].weight > 0) return bin - distance;
+      if (bin + distance < bins_.size() && bins_[bin + distance].weight > 0) return bin + distance;
+    }
+    return bin;
+  }
+
   std::array<Bin, MeasuredSpectrum::kBins> bins_;
 };
 
