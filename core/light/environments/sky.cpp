@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "light/environments/hosek_sky.h"
 #include "light/environments/map_of_radiance.h"
 #include "spectrum/blackbody.h"
 
@@ -43,12 +44,7 @@ constexpr double kZenithY[3][4] = {
     {0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
 
 Rgb rgb_of_xyy(double x, double y, double luminance) {
-  const double X = x / y * luminance;
-  const double Z = (1 - x - y) / y * luminance;
-  const auto clipped = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
-  return {clipped(3.2404542 * X - 1.5371385 * luminance - 0.4985314 * Z),
-          clipped(-0.9692660 * X + 1.8760108 * luminance + 0.0415560 * Z),
-          clipped(0.0556434 * X - 0.2040259 * luminance + 1.0572252 * Z)};
+  return rgb_of_sky(x / y * luminance, luminance, (1 - x - y) / y * luminance);
 }
 
 // The model for one position of the sun [Preetham et al. 1999, appendix A.2].
@@ -123,10 +119,15 @@ Rgb illuminance_of(const image::Image& map) {
   return sum;
 }
 
+template <class Model>
+image::Image map_above_horizon(const Model& model) {
+  return *environment_map_of(
+      [&](const Vec3& direction) { return direction.y > 0 ? model.radiance(direction) : Rgb(0); });
+}
+
 std::shared_ptr<const image::Image> map_of(const Sky& sky) {
-  const PreethamSky model(sky);
-  auto map = std::make_shared<image::Image>(
-      *environment_map_of([&](const Vec3& direction) { return direction.y > 0 ? model.radiance(direction) : Rgb(0); }));
+  auto map = std::make_shared<image::Image>(sky.model == SkyModel::preetham ? map_above_horizon(PreethamSky(sky))
+                                                                            : map_above_horizon(HosekSky(sky)));
   Rgb illuminance = illuminance_of(*map);
   if (sky.sun_disk)
     illuminance += sun_radiance(sky) * (static_cast<float>(solid_angle_of_sun()) * std::sin(sky.sun_elevation));
@@ -156,7 +157,16 @@ Vec3 sun_direction(const Sky& sky) {
   return {std::sin(sky.sun_azimuth) * across, std::sin(sky.sun_elevation), std::cos(sky.sun_azimuth) * across};
 }
 
-Rgb sky_radiance(const Sky& sky, const Vec3& direction) { return PreethamSky(sky).radiance(direction); }
+Rgb rgb_of_sky(double x, double y, double z) {
+  const auto clipped = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
+  return {clipped(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
+          clipped(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
+          clipped(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
+}
+
+Rgb sky_radiance(const Sky& sky, const Vec3& direction) {
+  return sky.model == SkyModel::preetham ? PreethamSky(sky).radiance(direction) : HosekSky(sky).radiance(direction);
+}
 
 Rgb sun_radiance(const Sky& sky) {
   const double air_mass = air_mass_of(std::max(static_cast<double>(sky.sun_elevation), 0.0));
@@ -169,7 +179,7 @@ Rgb sun_radiance(const Sky& sky) {
 Environment make_sky(const Sky& sky) {
   Environment environment;
   environment.map = shared_map_of(sky);
-  environment.file = kSky.name;
+  environment.file = sky.model == SkyModel::preetham ? kSky.name : kHosekSky.name;
   environment.tint = Rgb(1);
   environment.sky = sky;
   if (sky.sun_disk)

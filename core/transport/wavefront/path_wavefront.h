@@ -226,6 +226,17 @@ class PathWavefront {
     positions_.set(i, points_[i].position);
   }
 
+  // Restricts the surface of a current vertex to its deltas, or to its other lobes.
+  void keep_deltas(int hit, bool deltas) requires(!M::kSpectral) {
+    [[maybe_unused]] Bsdf<M>& bsdf = bsdfs_[static_cast<size_t>(hit)];
+    if constexpr (M::kDiffuse)
+      return;
+    else if constexpr (M::kScattering)
+      bsdf.begin_surface().lobes.keep_deltas(deltas);
+    else
+      bsdf.lobes.keep_deltas(deltas);
+  }
+
   // The medium state of a path that continues from a hit in this direction.
   MediumState<M> medium_beyond(int hit, const Vec3& direction) const {
     if constexpr (M::kMedia)
