@@ -19,7 +19,7 @@ inline DiffusionOfMedium diffusion_of(const MediumDescription& medium, float eta
   for (int k = 0; k < 3; ++k) {
     const float scattering = medium.scattering[k] * isotropic, extinction = scattering + medium.absorption[k];
     result.mean_free_path[k] = extinction > 0 ? 1 / extinction : kInfinity;
-    result.albedo[k] = extinction > 0 ? DipoleDiffusion::albedo_of(scattering / extinction, mismatch) : 0;
+    result.albedo[k] = extinction > 0 ? DipoleDiffusion::albedo_of(scattering, medium.absorption[k], mismatch) : 0;
   }
   return result;
 }

@@ -43,12 +43,14 @@ class DipoleDiffusion {
     largest_radius_ = std::max(pole_radius(kNeglected, real_), pole_radius(kNeglected, virtual_));
   }
 
-  // A of a material with this alpha in [0, 1].
-  static float albedo_of(float reduced_albedo, float mismatch) {
-    const float s = std::sqrt(3 * (1 - reduced_albedo));
-    return 0.5f * reduced_albedo * (std::exp(-s) + std::exp(-s * relative_depth(mismatch)));
+  // A of a material with these coefficients, of any common unit. They may not both be 0. A depends on the root of the
+  // absorption, so that 1 - alpha would lose its digits.
+  static float albedo_of(float reduced_scattering, float absorption, float mismatch) {
+    const float extinction = reduced_scattering + absorption;
+    const float s = std::sqrt(3 * absorption / extinction);
+    return 0.5f * reduced_scattering / extinction * (std::exp(-s) + std::exp(-s * relative_depth(mismatch)));
   }
-  // The inverse.
+  // The inverse: alpha.
   static float reduced_albedo(float albedo, float mismatch) {
     return 1 - sqr(absorption_exponent(albedo, mismatch)) / 3;
   }

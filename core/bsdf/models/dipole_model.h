@@ -79,8 +79,9 @@ struct DipoleModel {
     struct Coefficients {
       const char *name, *label;
       Rgb scattering, absorption;  // reduced, 1/mm
+      float eta = 1.3f;
     };
-    const Coefficients materials[] = {{"marble", "Marble", {2.19f, 2.62f, 3.00f}, {0.0021f, 0.0041f, 0.0071f}},
+    const Coefficients materials[] = {{"marble", "Marble", {2.19f, 2.62f, 3.00f}, {0.0021f, 0.0041f, 0.0071f}, 1.5f},
                                       {"skin-1", "Skin 1", {0.74f, 0.88f, 1.01f}, {0.032f, 0.17f, 0.48f}},
                                       {"skin-2", "Skin 2", {1.09f, 1.59f, 1.79f}, {0.013f, 0.070f, 0.145f}},
                                       {"milk", "Whole milk", {2.55f, 3.21f, 3.77f}, {0.0011f, 0.0024f, 0.014f}},
@@ -89,7 +90,8 @@ struct DipoleModel {
                                       {"ketchup", "Ketchup", {0.18f, 0.07f, 0.03f}, {0.061f, 0.97f, 1.45f}},
                                       {"spectralon", "Spectralon", {11.6f, 20.4f, 14.9f}, Rgb(0)}};
     std::vector<ModelPreset> presets;
-    for (const Coefficients& m : materials) presets.push_back(preset(m.name, m.label, m.scattering, m.absorption));
+    for (const Coefficients& m : materials)
+      presets.push_back(preset(m.name, m.label, m.scattering, m.absorption, m.eta));
     return presets;
   }
 
@@ -110,20 +112,19 @@ struct DipoleModel {
   }
 
  private:
-  static constexpr float kPresetEta = 1.3f;  // [Jensen et al. 2001], of all measured media
-
   float mean_transmitted = 1;  // 1 - F, set by `prepare`
 
-  static ModelPreset preset(const char* name, const char* label, const Rgb& scattering, const Rgb& absorption) {
+  static ModelPreset preset(const char* name, const char* label, const Rgb& scattering, const Rgb& absorption,
+                            float eta) {
     ModelPreset preset{name, label, "[Jensen et al. 2001], table 1, by albedo inversion", {}};
-    const float mismatch = boundary_mismatch(kPresetEta);
+    const float mismatch = boundary_mismatch(eta);
     for (int k = 0; k < 3; ++k) {
       const float extinction = scattering[k] + absorption[k];
-      const float albedo = DipoleDiffusion::albedo_of(scattering[k] / extinction, mismatch);
+      const float albedo = DipoleDiffusion::albedo_of(scattering[k], absorption[k], mismatch);
       preset.values.emplace_back(std::string("albedo") + Triple::kParts[k], double{albedo});
       preset.values.emplace_back(std::string("mean-free-path") + Triple::kParts[k], double{1 / extinction});
     }
-    preset.values.emplace_back("eta", double{kPresetEta});
+    preset.values.emplace_back("eta", double{eta});
     return preset;
   }
 };

@@ -5,11 +5,13 @@
 // w_o and one of w_i, and R / A a diffusion profile (bsdf/diffusion). A vertex on such a surface is the point x_o where
 // light leaves. The path either follows the deltas of the surface there, or is moved to a point x_i where light enters.
 // The choice is random, in proportion to their albedos. x_i is sampled: a radius by the profile of one channel, a direction around an axis (the normal or one of two tangents), and a
-// probe ray along the axis. One of the hits of the probe on the same object is chosen. The density of x_i per area is
+// probe ray along the axis. The probes find x_i with the density per area
 //
-//   p = sum over axes a and channels c of  P_a / 3  R_c(r_a) / A_c  |n_i . a| / (number of hits)
+//   p = sum over axes a and channels c of  P_a / 3  R_c(r_a) / A_c  |n_i . a|
 //
-// with r_a the distance of x_i from x_o perpendicular to a, and the throughput is multiplied by R(|x_o - x_i|) / (A p).
+// with r_a the distance of x_i from x_o perpendicular to a. Each hit of a probe on the same object has the weight
+// w = R(|x_o - x_i|) / (A p). One hit is chosen with the probability q in proportion to w, and the throughput is
+// multiplied by w / q.
 // The path continues at x_i by the diffuse lobe there. The result is biased by the assumption of the profile that the
 // surface is flat.
 #pragma once
@@ -51,10 +53,8 @@ class SubsurfaceProbe {
     const Vec3 direction = -axis_of(axis);
     const Vec3 across = std::cos(phi) * axis_of((axis + 1) % 3) + std::sin(phi) * axis_of((axis + 2) % 3);
     std::array<Hit, kMostHits> hits;
-    const int count = hits_along(exit_.position + r * across - reach * direction, direction, 2 * reach, hits);
-    if (count == 0) return false;
-    entry.hit = hits[static_cast<size_t>(std::min(static_cast<int>(which * static_cast<float>(count)), count - 1))];
-    return weigh(direction, count, entry);
+    const size_t count = hits_along(exit_.position + r * across - reach * direction, direction, 2 * reach, hits);
+    return choose({hits.data(), count}, direction, which, entry);
   }
 
  private:
@@ -72,7 +72,7 @@ class SubsurfaceProbe {
   const Vec3& axis_of(int i) const { return i == 0 ? frame_.x : i == 1 ? frame_.y : frame_.z; }
 
   // The hits on the same object on a segment, from its start.
-  int hits_along(const Vec3& from, const Vec3& direction, float length, std::array<Hit, kMostHits>& hits) const {
+  size_t hits_along(const Vec3& from, const Vec3& direction, float length, std::array<Hit, kMostHits>& hits) const {
     const auto instance = static_cast<uint32_t>(exit_.instance - scene_.instances().data());
     Ray ray;
     ray.origin = from;
@@ -88,32 +88,55 @@ class SubsurfaceProbe {
       ray.tnear = hit.t + std::max(1e-5f * length, 4e-7f * hit.t);
       if (!(ray.tnear < ray.tfar)) break;
     }
-    return static_cast<int>(count);
+    return count;
   }
 
-  bool weigh(const Vec3& direction, int count, Entry& entry) const {
-    scene::SurfacePoint at;
-    const Vec3 back = -direction;
-    scene_.surfaces({&back, 1}, {&entry.hit, 1}, &at, &time_);
-    entry.normal = at.ng;
+  // R / A at a point over the density with which the probes of all axes find it.
+  Rgb weight_at(const scene::SurfacePoint& at) const {
     const Vec3 local = frame_.to_local(at.position - exit_.position);
     const Vec3 cosines = glm::abs(frame_.to_local(at.ng));
     const float distance2 = length_squared(local);
     const float distance = std::sqrt(distance2);
+    Rgb values(0);
     float pdf = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float r = safe_sqrt(distance2 - sqr(local[axis]));
-      for (const Profile& profile : profiles_)
-        if (distance < profile.largest_radius())
-          pdf += (axis == 2 ? kNormal : kTangent) / 3 * profile.value(r) * cosines[axis];
-    }
-    pdf /= static_cast<float>(count);
-    if (!(pdf > 0)) return false;
     for (int c = 0; c < 3; ++c) {
       const Profile& profile = profiles_[static_cast<size_t>(c)];
-      entry.weight[c] = distance < profile.largest_radius() ? profile.value(distance) / pdf : 0;
+      if (!(distance < profile.largest_radius())) continue;
+      values[c] = profile.value(distance);
+      for (int axis = 0; axis < 3; ++axis)
+        pdf += (axis == 2 ? kNormal : kTangent) / 3 * profile.value(safe_sqrt(distance2 - sqr(local[axis]))) *
+               cosines[axis];
     }
-    return is_finite(entry.weight);
+    if (!(pdf > 0)) return Rgb(0);
+    const Rgb weight = values / pdf;
+    return is_finite(weight) ? weight : Rgb(0);
+  }
+
+  // Selects one of the hits of a probe in proportion to their weights.
+  bool choose(std::span<const Hit> hits, const Vec3& direction, float random, Entry& entry) const {
+    std::array<scene::SurfacePoint, kMostHits> points;
+    std::array<Vec3, kMostHits> back;
+    std::array<float, kMostHits> times;
+    std::array<Rgb, kMostHits> weights;
+    back.fill(-direction);
+    times.fill(time_);
+    scene_.surfaces({back.data(), hits.size()}, hits, points.data(), times.data());
+    float total = 0;
+    for (size_t i = 0; i < hits.size(); ++i) total += average(weights[i] = weight_at(points[i]));
+    if (!(total > 0)) return false;
+    size_t chosen = 0;
+    float rest = random * total;
+    for (size_t i = 0; i < hits.size(); ++i) {
+      const float share = average(weights[i]);
+      if (!(share > 0)) continue;
+      chosen = i;
+      if (rest < share) break;
+      rest -= share;
+    }
+    entry.hit = hits[chosen];
+    entry.normal = points[chosen].ng;
+    entry.weight = weights[chosen] * (total / average(weights[chosen]));
+    return true;
   }
 
   const scene::CompiledScene& scene_;
@@ -122,6 +145,18 @@ class SubsurfaceProbe {
   float time_;
   std::array<Profile, 3> profiles_;
 };
+
+// Restricts the surface of a current vertex to its deltas, or to its other lobes. Without effect on surfaces that have
+// Lambertian lobes only.
+template <class M>
+void keep_deltas(PathWavefront<M>& paths, int hit, bool deltas) {
+  if constexpr (M::kDiffuse)
+    return;
+  else if constexpr (M::kScattering)
+    paths.bsdf(hit).begin_surface().lobes.keep_deltas(deltas);
+  else
+    paths.bsdf(hit).lobes.keep_deltas(deltas);
+}
 
 // The sum of the deltas of a current vertex; 0 for surfaces without one.
 template <class M>
@@ -140,7 +175,7 @@ bool choose_entry(PathWavefront<M>& paths, int hit, const Rgb& diffuse, float ra
   const float probability = reflected / (reflected + average(diffuse));
   const bool reflects = random < probability;
   paths.state_at(hit).throughput *= 1 / (reflects ? probability : 1 - probability);
-  if (reflects) paths.keep_deltas(hit, true);
+  if (reflects) keep_deltas(paths, hit, true);
   return !reflects;
 }
 
@@ -178,7 +213,7 @@ template <class M>
     const Rgb diffuse = point.material->subsurface.albedo_scale * towards_viewer;
     if (is_black(diffuse) || !choose_entry(paths, i, diffuse, paths.random(4, i))) continue;
     move_to_entry_point(paths, i, from_normal, towards_viewer);
-    paths.keep_deltas(i, false);
+    keep_deltas(paths, i, false);
   }
   paths.select_rng_stream(0);
 }

@@ -91,7 +91,7 @@ inline void diffusion_below_a_boundary(TestContext& test) {
   float refracted;
   const auto f = static_cast<double>(fresnel_dielectric(2 / std::sqrt(4 + 0.25f + 0.09f), kEta, refracted));
   const float mismatch = boundary_mismatch(kEta);
-  const auto albedo = static_cast<double>(DipoleDiffusion::albedo_of(kReducedAlbedo, mismatch));
+  const auto albedo = static_cast<double>(DipoleDiffusion::albedo_of(kReducedAlbedo, 1 - kReducedAlbedo, mismatch));
   const Material body = profile("dipole", albedo), walk = medium(double{kReducedAlbedo}, kEta);
   const double thick = f + (1 - f) * albedo;
   for (const double thickness : {0.01, 0.1, 4.0}) {

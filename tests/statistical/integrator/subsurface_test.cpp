@@ -117,7 +117,7 @@ double p_value_of_entry_points(const char* model, bool dipole) {
   for (const char* part : {".g", ".b"})
     material.model.model = material.model->with(std::string("mean-free-path") + part, 1000 * kLength);
   test::add(description, test::quad(1000), material);
-  const auto scene = scene::compile(description, {}, nullptr);
+  const auto scene = scene::compile(std::make_shared<const scene::Scene>(std::move(description)), Camera(), nullptr);
   Ray ray;
   ray.origin = {0.1f, 1, 0.2f};
   ray.direction = {0, -1, 0};

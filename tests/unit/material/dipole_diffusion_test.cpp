@@ -68,7 +68,7 @@ TEST(DipoleDiffusion, AlbedoIsTheIntegralOfThePublishedProfile) {
   for (const float eta : {1.0f, 1.3f, 1.8f})
     for (const float alpha : {0.2f, 0.9f, 0.999f}) {
       const float mismatch = boundary_mismatch(eta);
-      const float albedo = DipoleDiffusion::albedo_of(alpha, mismatch);
+      const float albedo = DipoleDiffusion::albedo_of(alpha, 1 - alpha, mismatch);
       EXPECT_NEAR(DipoleDiffusion::reduced_albedo(albedo, mismatch), alpha, 1e-4f) << eta << ' ' << alpha;
       const DipoleDiffusion profile(0.5f, albedo, mismatch);
       for (const float r : {0.0f, 0.1f, 0.5f, 2.0f}) {
@@ -108,8 +108,8 @@ TEST(DipoleDiffusion, SampledRadiiFollowTheDistribution) {
 TEST(DipoleDiffusion, LimitsOfTheAlbedo) {
   for (const float eta : {1.0f, 1.5f, 3.0f}) {
     const float mismatch = boundary_mismatch(eta);
-    EXPECT_EQ(DipoleDiffusion::albedo_of(1, mismatch), 1) << eta;
-    EXPECT_EQ(DipoleDiffusion::albedo_of(0, mismatch), 0) << eta;
+    EXPECT_EQ(DipoleDiffusion::albedo_of(1, 0, mismatch), 1) << eta;
+    EXPECT_EQ(DipoleDiffusion::albedo_of(0, 1, mismatch), 0) << eta;
     EXPECT_NEAR(DipoleDiffusion::reduced_albedo(1, mismatch), 1, 1e-6f) << eta;
     EXPECT_NEAR(DipoleDiffusion::reduced_albedo(0, mismatch), 0, 1e-5f) << eta;
     float last = -1;
@@ -121,22 +121,39 @@ TEST(DipoleDiffusion, LimitsOfTheAlbedo) {
   }
 }
 
-// The presets of the model and of media with the same name have the same coefficients. Close to 1, A depends on the
-// root of 1 - alpha: rounding alpha to single precision changes it by up to 5e-5.
+// The presets of the model and of media with the same name have the same coefficients.
 TEST(DipoleDiffusion, PresetsDescribeTheMedia) {
   for (const ModelPreset& preset : find_bsdf_model("dipole")->presets) {
     const MediumPreset* medium = find_medium_preset(preset.name);
     ASSERT_TRUE(medium) << preset.name;
     const Subsurface body = with_preset(make_bsdf_model("dipole"), preset.name)->subsurface();
-    const DiffusionOfMedium expected = diffusion_of(medium->medium, 1.3f);
+    const auto eta = static_cast<float>(std::get<double>(preset.values.back().second));
+    const DiffusionOfMedium expected = diffusion_of(medium->medium, eta);
     for (int k = 0; k < 3; ++k) {
       const float albedo = static_cast<float>(std::get<double>(preset.values[static_cast<size_t>(2 * k)].second));
       const float extinction = medium->medium.scattering[k] + medium->medium.absorption[k];
-      EXPECT_NEAR(albedo, expected.albedo[k], 5e-5f) << preset.name;
+      EXPECT_NEAR(albedo, expected.albedo[k], 1e-6f) << preset.name;
       EXPECT_NEAR(body.mean_free_path[k] / expected.mean_free_path[k], 1, 1e-5f) << preset.name;
       EXPECT_NEAR(DipoleDiffusion::reduced_albedo(albedo, body.mismatch) * extinction, medium->medium.scattering[k],
                   1e-4f * extinction)
           << preset.name;
+    }
+  }
+}
+
+// The diffuse reflectances that table 1 of the paper lists beside the coefficients, with two digits.
+TEST(DipoleDiffusion, PresetsHaveThePublishedReflectance) {
+  const std::pair<const char*, Rgb> kPublished[] = {
+      {"marble", {0.83f, 0.79f, 0.75f}},    {"skin-1", {0.44f, 0.22f, 0.13f}},
+      {"skin-2", {0.63f, 0.44f, 0.34f}},    {"milk", {0.91f, 0.88f, 0.76f}},
+      {"skim-milk", {0.81f, 0.81f, 0.69f}}, {"cream", {0.98f, 0.90f, 0.73f}},
+      {"ketchup", {0.16f, 0.01f, 0.0f}},    {"spectralon", {1, 1, 1}}};
+  for (const auto& [name, reflectance] : kPublished) {
+    const auto model = with_preset(make_bsdf_model("dipole"), name);
+    for (int k = 0; k < 3; ++k) {
+      const auto values = model->parameters();
+      const ParameterInfo* albedo = find_parameter(values, std::string("albedo") + Triple::kParts[k]);
+      EXPECT_NEAR(std::get<double>(albedo->default_value), static_cast<double>(reflectance[k]), 0.012) << name;
     }
   }
 }

@@ -1,9 +1,10 @@
-#include "light/environments/hosek_sky.h"
+#include "light/environments/hosek_model.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "light/environments/hosek_sky_data.h"
+#include "light/environments/hosek_data.h"
+#include "light/environments/sky_color.h"
 
 namespace etendue {
 namespace {
