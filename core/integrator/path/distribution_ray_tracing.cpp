@@ -89,14 +89,15 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination) const {
     using namespace transport;
     auto& tree = BranchingPaths<M>::on(paths);
+    const auto sampling = LightSampling::compensated(lights);
     while (tree.trace()) {
       const int branches = branches_at(paths.length());
-      add_environment(paths, combination, lights);
+      add_environment(paths, combination, sampling);
       while (paths.next_hits()) {
-        add_emission(paths, combination, lights);
+        add_emission(paths, combination, sampling);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);
-        if (shadow_rays) add_direct_light(paths, lights, combination, Shadows::cast, static_cast<float>(branches));
+        if (shadow_rays) add_direct_light(paths, sampling, combination, Shadows::cast, static_cast<float>(branches));
         tree.branch(branches, roulette_start);
       }
     }

@@ -67,13 +67,14 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
     using namespace transport;
     if constexpr (M::kScattering)
       if (equiangular) return estimate_with_equiangular_light(paths);
+    const auto sampling = LightSampling::compensated(lights);
     while (paths.trace()) {
-      add_environment(paths, heuristic, lights);
+      add_environment(paths, heuristic, sampling);
       while (paths.next_hits()) {
-        add_emission(paths, heuristic, lights);
+        add_emission(paths, heuristic, sampling);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);
-        add_direct_light(paths, lights, heuristic);
+        add_direct_light(paths, sampling, heuristic);
         sample_bsdf(paths, roulette_start);
       }
     }
@@ -83,16 +84,17 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
   template <class M>
   void estimate_with_equiangular_light(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    EquiangularLight<M> segments(paths, lights, heuristic);
+    const auto sampling = LightSampling::compensated(lights);
+    EquiangularLight<M> segments(paths, sampling, heuristic);
     while (paths.trace()) {
-      add_environment(paths, heuristic, lights);
+      add_environment(paths, heuristic, sampling);
       if (!at_max_depth(paths.length())) segments.add_light_of_misses();
       while (paths.next_hits()) {
-        add_emission(paths, heuristic, lights);
+        add_emission(paths, heuristic, sampling);
         if (at_max_depth(paths.length())) continue;
         segments.add_light_before_hits();
         scatter_below_surface(paths);
-        add_direct_light(paths, lights, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
+        add_direct_light(paths, sampling, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
           return segments.weight_of_light_sample(hit, light);
         });
         sample_bsdf(paths, roulette_start);

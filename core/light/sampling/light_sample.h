@@ -43,6 +43,21 @@ struct LightQueries {
 // the densities of emission.
 enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
 
+// How the lights of a receiver are sampled. BSDF samples find smooth parts of the environment well. If the light samples
+// are combined with them by MIS, they cover only what exceeds the mean radiance of the environment; nothing of a uniform
+// environment (EnvironmentMap).                                                                  [Karlik et al. 2019]
+struct LightSampling {
+  LightStrategy strategy = LightStrategy::automatic;
+  bool is_compensated = false;  // every direction of the environment is found by BSDF samples as well
+
+  constexpr LightSampling(LightStrategy chosen) : strategy(chosen) {}  // NOLINT: a strategy alone
+  static constexpr LightSampling compensated(LightStrategy chosen) {
+    LightSampling sampling(chosen);
+    sampling.is_compensated = true;
+    return sampling;
+  }
+};
+
 }  // namespace etendue
 
 // `emission_pdf` is chosen by integrators, never by the user.

@@ -187,15 +187,15 @@ class PathWavefront {
   PathColor<M>& color() { return color_; }
 
   // One light sample per current hit, by a strategy that selects a single light.
-  std::span<const LightSample> sample_lights(LightStrategy strategy) {
-    scene_->lights().sample(draw_lights(), light_samples_.data(), strategy);
+  std::span<const LightSample> sample_lights(LightSampling sampling) {
+    scene_->lights().sample(draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
   // One sample of the given source of the light table per current hit; every source but the first has a random number
   // stream of its own.
-  std::span<const LightSample> sample_source(size_t source) {
+  std::span<const LightSample> sample_source(size_t source, LightSampling sampling) {
     select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
-    scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
+    scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
 
