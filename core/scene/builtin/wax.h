@@ -3,6 +3,7 @@
 #pragma once
 #include "medium/medium.h"
 #include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
 #include "scene/builtin/scene_builder.h"
 
 namespace etendue::scene {
@@ -20,7 +21,7 @@ inline Scene bodies_of_wax() {
   constexpr float kLift = 0.0005f;  // above the table, so that no surfaces touch
   add(scene, "cube", box(Vec3(0.02f)), wax, rotated_y({-0.055f, 0.02f + kLift, 0}, 0.6f));
   add(scene, "plate", box({0.025f, 0.0275f, 0.0015f}), wax, rotated_y({0.005f, 0.0275f + kLift, -0.02f}, -0.2f));
-  add(scene, "ball", sphere(0.022f, 64, false), wax, translated({0.062f, 0.022f + kLift, 0}));
+  add(scene, "ball", ball(0.022f, 64), wax, translated({0.062f, 0.022f + kLift, 0}));
   add(scene, "light", rectangle({-0.35f, 0.12f, -0.4f}, {0.6f, 0, 0}, {0, 0.3f, 0.3f}),
       add_emitter(scene, "light", Rgb(4, 3.9f, 3.7f)));
   add(scene, "fill light", rectangle({-0.3f, 0.5f, -0.1f}, {0.6f, 0, 0}, {0, 0, 0.6f}),
