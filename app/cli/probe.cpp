@@ -100,24 +100,23 @@ int run_probe(const ProbeArguments& a) {
   if (!a.sensor.empty() && !(a.sensor[0] > 0))
     return fail(usage_error("--sensor: the size has to be positive, in metres"));
   const std::atomic<bool>& interrupted = watch_interrupts();
+  const render::MeterSettings settings{
+      .samples = a.samples, .threads = a.threads, .sensor_size = a.sensor.empty() ? 0 : a.sensor[0]};
   render::MeterReadings readings;
-  render::measure_light(*document, scene, *point, a.samples, a.threads, [&](const render::MeterReadings& m) {
+  render::measure_light(*document, scene, *point, settings, [&](const render::MeterReadings& m) {
     readings = m;
     return !interrupted;
   });
-  std::optional<render::MeterReading> received;
-  if (!a.sensor.empty() && !interrupted)
-    received = render::measure_received_flux(*document, *scene, *point, a.sensor[0], a.samples, a.threads);
   if (a.json) {
     json j = readings_json(readings, *efficacy);
-    if (received) j["received_flux"] = reading_json(*received, *efficacy);
+    if (readings.received_flux) j["received_flux"] = reading_json(*readings.received_flux, *efficacy);
     std::printf("%s\n", j.dump(2).c_str());
   } else {
     print(kLuminance, readings.radiance, *efficacy);
     print(kIlluminance, readings.irradiance, *efficacy);
     if (!is_black(readings.emitted_flux)) print(kLuminousFlux, {readings.emitted_flux, 0}, *efficacy);
     if (!is_black(readings.emitted_exitance)) print(kLuminousExitance, {readings.emitted_exitance, 0}, *efficacy);
-    if (received) print(kReceivedFlux, *received, *efficacy);
+    if (readings.received_flux) print(kReceivedFlux, *readings.received_flux, *efficacy);
     print_lights(readings, *efficacy);
     std::printf("at %.4g lm/W (--efficacy)\n", lumens_per_watt(*efficacy));
   }

@@ -21,7 +21,16 @@ class LightMeter final : public Task {
   struct Parameters {
     Choice<Efficacy> efficacy{"meter.efficacy", "Luminous efficacy", Efficacy::equal_energy,
                               "Spectrum assumed when converting lumens to watts. RGB values do not determine it"};
-    auto all() { return std::tie(efficacy); }
+    Number<float> sensor{
+        "meter.sensor",
+        "Sensor size",
+        0,
+        {0, 1e6f},
+        "Side of a square sensor at the point, drawn in the image, that measures the received flux. 0: "
+        "no sensor",
+        "m",
+        Scale::logarithmic};
+    auto all() { return std::tie(efficacy, sensor); }
   };
   Parameters parameters;
 
@@ -38,7 +47,7 @@ class LightMeter final : public Task {
   const render::MeterReadings* result() const { return task_.result().get(); }
   // Whether the result has all samples and belongs to the current document.
   bool is_complete(uint64_t document_version) const {
-    return result() && !task_.running() && version_ == document_version;
+    return result() && !task_.running() && version_ == document_version && sensor_size_ == parameters.sensor;
   }
 
   // The parameters and the readings.
@@ -48,8 +57,11 @@ class LightMeter final : public Task {
   nlohmann::json report(uint64_t document_version) const;
 
  private:
+  void draw_sensor(const AppState& state, ImDrawList& draw) const;
+
   std::optional<Vec2> raster_;
-  uint64_t version_ = 0;  // of the document that is measured
+  uint64_t version_ = 0;   // of the document that is measured
+  float sensor_size_ = 0;  // of the measurement
   ProgressiveTask<render::MeterReadings> task_;
 };
 

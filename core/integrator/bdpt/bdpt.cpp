@@ -48,6 +48,7 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
         .scattering_media = true,
+        .ignores_portals = true,
     };
   }
 

@@ -40,6 +40,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .heterogeneous_media = true,
         .emitting_media = true,
         .subsurface = true,
+        .ignores_portals = true,
         .spectral = kSpectral,
     };
   }

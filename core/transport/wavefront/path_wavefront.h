@@ -138,12 +138,12 @@ class PathWavefront {
   // The number of edges from the start of the paths to the current vertices.
   int length() const { return depth_; }
 
-  // The current hits.
   int hit_count() const { return hit_count_; }
   int path_at(int hit) const { return reached_by_[static_cast<size_t>(visited_ + hit)]; }
   PathState<Color>& state_at(int hit) { return state(path_at(hit)); }
   const scene::SurfacePoint& point(int hit) const { return points_[static_cast<size_t>(hit)]; }
   const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
+  Bsdf<M>& bsdf(int hit) { return bsdfs_[static_cast<size_t>(hit)]; }
   const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
   // Whether a current vertex lies in a scattering medium, and its collision, without a phase function on surfaces.
   bool in_volume(int hit) const { return M::kScattering && point(hit).in_volume; }
