@@ -4,7 +4,7 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
-#include <algorithm>
+#include <cstring>
 #include <istream>
 #include <streambuf>
 
@@ -32,6 +32,26 @@ class MemoryBuffer : public std::streambuf {
     return seekoff(off_type(position), std::ios_base::beg, mode);
   }
 };
+
+// The first bytes of a file: a number that identifies the format, and its version.
+struct FileStart {
+  uint64_t magic;
+  uint32_t version;
+};
+
+// Why the start of a file is not that of a supported one; empty if it is. Readers of early versions are not robust.
+std::string start_error(std::span<const std::byte> bytes) {
+  constexpr uint32_t kEarliest = openvdb::OPENVDB_FILE_VERSION_SELECTIVE_COMPRESSION;
+  FileStart start{};
+  if (bytes.size() < 12) return "is not an OpenVDB file";
+  std::memcpy(&start.magic, bytes.data(), 8);
+  std::memcpy(&start.version, bytes.data() + 8, 4);
+  if (start.magic != static_cast<uint64_t>(openvdb::OPENVDB_MAGIC)) return "is not an OpenVDB file";
+  if (start.version < kEarliest || start.version > openvdb::OPENVDB_FILE_VERSION)
+    return "has version " + std::to_string(start.version) + " of the format; convert it to version " +
+           std::to_string(openvdb::OPENVDB_FILE_VERSION);
+  return {};
+}
 
 openvdb::GridPtrVecPtr grids_in(std::span<const std::byte> bytes) {
   openvdb::initialize();
@@ -95,6 +115,7 @@ Result<GridValues> read(std::span<const std::byte> bytes, const std::string& nam
 
 Result<GridValues> read_vdb(std::span<const std::byte> bytes, const std::string& name, size_t most_voxels) {
   constexpr const char* kDamaged = ": is not an OpenVDB file, or it is truncated or damaged";
+  if (const std::string error = start_error(bytes); !error.empty()) return input_error(name + ": " + error);
   try {
     return read(bytes, name, most_voxels);
   } catch (const std::ios_base::failure&) {

@@ -149,7 +149,7 @@ TEST(Openvdb, InvalidVoxelsBecomeZero) {
     EXPECT_EQ(values->density[i], i % 4 >= 2 && i / 4 % 4 > 0 ? 1 : 0);
 }
 
-TEST(Openvdb, TruncatedAndDamagedFiles) {
+TEST(Openvdb, TruncatedFiles) {
   for (const VdbCompression compression : {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
     const auto bytes = vdb_bytes({kSlope}, compression);
     truncate(bytes, "smoke.vdb", 97);
@@ -166,6 +166,9 @@ TEST(Openvdb, FilesThatAreNoDensityAreRefused) {
   EXPECT_NE(message(vdb_bytes({})).find("has no grid"), std::string::npos);
   EXPECT_NE(message(std::vector<std::byte>(100, std::byte{'x'})).find("is not an OpenVDB file"), std::string::npos);
   EXPECT_NE(message({}).find("is not an OpenVDB file"), std::string::npos);
+  auto old = vdb_bytes({kSlope});
+  old[8] = std::byte{200};  // the version of the format
+  EXPECT_NE(message(old).find("version 200 of the format"), std::string::npos) << message(old);
 }
 
 #endif
