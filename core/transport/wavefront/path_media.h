@@ -2,6 +2,7 @@
 //
 // In models with scattering media, a segment can end at a collision instead of a surface.
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "sampling/sampler.h"
@@ -46,8 +47,9 @@ class PathMedia<M, true> {
     flights_.channel[static_cast<size_t>(path)] = static_cast<int8_t>(channel);
     flights_.next_densities[static_cast<size_t>(path)] = Rgb(1.0f / 3);
   }
-  void ignore_collisions(int path) requires(M::kScattering) {
-    flights_.channel[static_cast<size_t>(path)] = kNoCollisions;
+  // Of the first `count` paths.
+  void ignore_collisions(int count, bool ignore) requires(M::kScattering) {
+    std::fill_n(flights_.channel.begin(), count, ignore ? kNoCollisions : int8_t{-1});
   }
   // A flight from the start of the current segment of a path.
   FreeFlight flight(int path, float random) const requires(M::kScattering) {

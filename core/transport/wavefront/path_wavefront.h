@@ -81,13 +81,7 @@ class PathWavefront {
   }
 
   // Makes the next segments pass scattering media without collisions, or ends that.
-  void ignore_collisions(bool ignore) requires(M::kScattering) {
-    for (int i = 0; i < size_; ++i)
-      if (ignore)
-        media_.ignore_collisions(i);
-      else
-        media_.choose_channels(i);
-  }
+  void ignore_collisions(bool ignore) requires(M::kScattering) { media_.ignore_collisions(size_, ignore); }
 
   // Removes all paths, which must have ended; new ones continue at vertices that are `length` edges from the camera.
   void begin_batch(int length) {
@@ -267,9 +261,8 @@ class PathWavefront {
   }
   // An estimate of the radiance that media emit towards a current hit from a direction, up to the next surface.
   Rgb radiance_of_media(int hit, const Vec3& direction) requires(M::kScattering) {
-    const int path = path_at(hit);
-    const MediumLightOnRay light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path),
-                                                       state(path).time, medium_beyond(hit, direction));
+    const auto light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path_at(hit)),
+                                           state_at(hit).time, medium_beyond(hit, direction));
     rays_traced_ += light.rays;
     return light.emitted;
   }
@@ -481,10 +474,9 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
-  if constexpr (M::kScattering) {
+  if constexpr (M::kScattering)
     return media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
                                  random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, rays_traced_);
-  }
   return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
                                  rays_traced_);
 }
