@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-// A triangle, sphere or disk that emits; a light without extent; the environment.
-enum class LightKind : uint8_t { triangle, placed, environment };
+// A triangle, sphere or disk that emits; a light without extent; the environment; media that emit (only in records).
+enum class LightKind : uint8_t { triangle, placed, environment, medium };
 
 struct LightSample {
   LightKind kind = LightKind::triangle;

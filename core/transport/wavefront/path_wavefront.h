@@ -30,9 +30,9 @@ class PathWavefront {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
-  // Random number streams below this number belong to branches of paths, those beyond to lights, the last one to points
-  // on segments in media.
-  static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff;
+  // Random number streams below this number belong to branches of paths, those beyond to lights, the last ones to points
+  // on segments in media and to directions towards emitting media.
+  static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff, kMediumLightStream = 0x3ffffe;
 
   // Removes all paths; `sample` is the index within the pixels' sequences. All paths are cancelled when `keep_going`
   // returns false. `timed`: paths have times.
@@ -79,6 +79,9 @@ class PathWavefront {
       for (int i = 0; i < size_; ++i)
         media_.keep_channel(i, static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
   }
+
+  // Makes the next segments pass scattering media without collisions, or ends that.
+  void ignore_collisions(bool ignore) requires(M::kScattering) { media_.ignore_collisions(size_, ignore); }
 
   // Removes all paths, which must have ended; new ones continue at vertices that are `length` edges from the camera.
   void begin_batch(int length) {
@@ -256,6 +259,20 @@ class PathWavefront {
     else
       return 1;
   }
+  // An estimate of the radiance that media emit towards a current hit from a direction, up to the next surface.
+  Rgb radiance_of_media(int hit, const Vec3& direction) requires(M::kScattering) {
+    const auto light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path_at(hit)),
+                                           state_at(hit).time, medium_beyond(hit, direction));
+    rays_traced_ += light.rays;
+    return light.emitted;
+  }
+  // The radiance that media emit towards the start of the segment traced last, nearly exact.
+  Rgb radiance_of_media_on_segment(int path) requires(M::kScattering) {
+    const MediumLightOnRay light = medium_light_on_ray(*scene_, media_.ray(path), segment_seed(path), state(path).time,
+                                                       std::as_const(media_).stack(path), EmissionPoints::of_voxels);
+    rays_traced_ += light.rays;
+    return light.emitted;
+  }
   // The segments traced last, in models with scattering media.
   const PathMedia<M>& media() const { return media_; }
 
@@ -362,7 +379,6 @@ class PathWavefront {
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
   void draw_free_flights();
-  void add_medium_emission(int path, Color throughput, const Color& emitted);
   void shade();
   void compute_points(size_t first, size_t count);
   [[gnu::cold, gnu::noinline]] void record_hits();
@@ -458,27 +474,11 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
-  if constexpr (M::kScattering) {
-    const Color before = path_state.throughput;
-    Color emitted(0);
-    const bool has_vertex = media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
-                                                  random(vertex_dimension::kFreeFlight, ray), hit,
-                                                  path_state.throughput, emitted, rays_traced_);
-    if (!is_black(emitted)) add_medium_emission(path, before, emitted);
-    return has_vertex;
-  }
+  if constexpr (M::kScattering)
+    return media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
+                                 random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, rays_traced_);
   return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
                                  rays_traced_);
-}
-
-// Adds radiance that media emit on the segment traced last; `throughput` is that of its start.
-template <class M>
-void PathWavefront<M>::add_medium_emission(int path, Color throughput, const Color& emitted) {
-  if constexpr (M::kClasses) throughput *= shares_.end_share(path);
-  const Color contribution = throughput * emitted;
-  state(path).radiance += contribution;
-  if (recorder_) [[unlikely]]
-    recorder_->add_emission(path, {emitted, 1, contribution});
 }
 
 // Draws the numbers of the distances to collisions, by active path. They belong to the vertices that are reached.
