@@ -9,6 +9,7 @@
 #include "command.h"
 #include "integrator/integrator.h"
 #include "json.h"
+#include "material/diffusion_of_medium.h"
 #include "medium/medium_presets.h"
 #include "render/document.h"
 #include "sampling/sampler.h"
@@ -134,6 +135,10 @@ json media_json() {
     j["unit"] = "1/m";
     j["phase_function"] = m.phase->info().description.name;
     j["mean_cosine"] = number_json(m.phase->mean_cosine());
+    // Of the model "dipole" with its default index of refraction.
+    const DiffusionOfMedium diffusion = diffusion_of(m, 1.3f);
+    j["diffusion_albedo"] = color_json(diffusion.albedo);
+    j["diffusion_mean_free_path_mm"] = color_json(diffusion.mean_free_path * 1000);
     list.push_back(j);
   }
   return list;

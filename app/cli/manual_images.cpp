@@ -150,7 +150,8 @@ Result<void> write_surfaces(const ImageWriter& out) {
   for (const auto& info : bsdf_model_infos()) {
     BsdfModelRef model;
     model.model = make_bsdf_model(info.description.name);
-    if (!is_black(model->mean_free_path())) model.model = model->with("scale", 200.0);  // a body of the size of a hand
+    if (!is_black(model->subsurface().mean_free_path))
+      model.model = model->with("scale", 200.0);  // a body of the size of a hand
     if (auto ok = out.render("surface", info.description.name, surface_stage(model), 128); !ok) return ok;
   }
   return {};

@@ -160,14 +160,13 @@ int run_probe(const ProbeArguments& a) {
   if (!a.sensor.empty() && !(a.sensor[0] > 0))
     return fail(usage_error("--sensor: the size has to be positive, in metres"));
   const std::atomic<bool>& interrupted = watch_interrupts();
+  const render::MeterSettings settings{
+      .samples = a.samples, .threads = a.threads, .sensor_size = a.sensor.empty() ? 0 : a.sensor[0]};
   render::MeterReadings readings;
-  render::measure_light(*document, scene, *point, a.samples, a.threads, [&](const render::MeterReadings& m) {
+  render::measure_light(*document, scene, *point, settings, [&](const render::MeterReadings& m) {
     readings = m;
     return !interrupted;
   });
-  std::optional<render::MeterReading> received;
-  if (!a.sensor.empty() && !interrupted)
-    received = render::measure_received_flux(*document, *scene, *point, a.sensor[0], a.samples, a.threads);
   const double chosen = lumens_per_watt(*efficacy);
   Efficacies efficacies{chosen, chosen, chosen};
   std::optional<MeasuredSpectra> spectra;
@@ -178,12 +177,12 @@ int run_probe(const ProbeArguments& a) {
   }
   if (a.json) {
     json j = readings_json(readings, efficacies);
-    if (received) j["received_flux"] = reading_json(*received, efficacies.irradiance);
+    if (readings.received_flux) j["received_flux"] = reading_json(*readings.received_flux, efficacies.irradiance);
     if (spectra) j["spectrum"] = spectrum_json(spectra->radiance);
     std::printf("%s\n", j.dump(2).c_str());
   } else {
     print(readings, efficacies);
-    if (received) print(kReceivedFlux, *received, efficacies.irradiance);
+    if (readings.received_flux) print(kReceivedFlux, *readings.received_flux, efficacies.irradiance);
     print_lights(readings, chosen);
     if (a.spectrum && spectra) print(spectra->radiance);
   }

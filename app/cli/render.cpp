@@ -150,13 +150,24 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   return {};
 }
 
-// Splits the argument of --aov. "all" stands for all AOVs, without the sample count.
+// Splits the argument of --aov. "all" stands for the AOVs of first hits, "media" for the terms of the equation of
+// transfer.
 Result<std::vector<std::string>> parse_aovs(const std::string& text) {
   std::vector<std::string> names;
-  const auto& known = render::aov_names();
+  const auto& of_media = render::medium_aov_names();
+  std::vector<std::string> known = render::aov_names();
+  const size_t of_hits = known.size();
+  known.insert(known.end(), of_media.begin(), of_media.end());
   std::istringstream stream(text);
   for (std::string name; std::getline(stream, name, ',');) {
-    if (name == "all") return known;
+    if (name == "all") {
+      names.insert(names.end(), known.begin(), known.begin() + static_cast<std::ptrdiff_t>(of_hits));
+      continue;
+    }
+    if (name == "media") {
+      names.insert(names.end(), of_media.begin(), of_media.end());
+      continue;
+    }
     if (name.empty()) continue;
     if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
       std::string all = "sample-count";
@@ -300,9 +311,12 @@ class RenderJob {
                                 .certificate = {},
                                 .reweighted = session_.reweighted_copy()};
     rendering.sample_counts = std::ranges::find(aovs_, "sample-count") != aovs_.end();
-    if (const auto compiled = session_.scene(); compiled && !aovs_.empty())
-      rendering.layers =
-          render::render_aovs(*compiled, document_, aovs_, std::clamp(status_.samples, 1u, kAovSamples), a_.threads);
+    if (const auto compiled = session_.scene(); compiled && !aovs_.empty()) {
+      const uint32_t samples = std::max(status_.samples, 1u);
+      rendering.layers = render::render_aovs(*compiled, document_, aovs_, std::min(samples, kAovSamples), a_.threads);
+      for (image::Layer& layer : render::render_medium_aovs(compiled, document_, aovs_, samples, a_.threads))
+        rendering.layers.push_back(std::move(layer));
+    }
     const bool stores_certificate = !(a_.out.ends_with(".png") || a_.out.ends_with(".hdr"));
     // The session renders other documents for the certificate, so its film and model are copied before.
     if (!a_.json.empty() || stores_certificate)
@@ -394,7 +408,8 @@ Command render_command() {
                   paths_option(a->scene.paths),
                   {.names = "--aov",
                    .target = &a->aovs,
-                   .doc = "Additional layers of the .exr, separated by commas, e.g. albedo,depth; or all"},
+                   .doc = "Additional layers of the .exr, separated by commas, e.g. albedo,depth; all: those of first "
+                          "hits; media: the terms of the equation of transfer"},
                   environment_option(a->scene.environment),
                   {.names = "--exposure",
                    .target = &a->exposure,

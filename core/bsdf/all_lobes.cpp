@@ -29,6 +29,7 @@ int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
 void AllLobes<Rgb>::set_relative_eta(float eta, float outside_eta) {
   lobe_set(*this).set_relative_eta(eta, outside_eta);
 }
+void AllLobes<Rgb>::keep_deltas(bool deltas) { lobe_set(*this).keep_deltas(deltas); }
 bool AllLobes<Rgb>::has_non_delta_lobe() const { return lobe_set(*this).has_non_delta_lobe(); }
 float AllLobes<Rgb>::min_alpha() const { return lobe_set(*this).min_alpha(); }
 bool AllLobes<Rgb>::has_component(ScatterType type) const { return lobe_set(*this).has_component(type); }

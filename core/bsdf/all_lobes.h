@@ -27,6 +27,7 @@ class AllLobes<Rgb> {
   bool empty() const;
   int size() const;
   void set_relative_eta(float eta, float outside_eta);
+  void keep_deltas(bool deltas);
   bool has_non_delta_lobe() const;
   float min_alpha() const;
   bool has_component(ScatterType type) const;

@@ -55,11 +55,11 @@ class BsdfModelOf final : public BsdfModel {
   }
   void add_unprepared_lobes(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
   bool is_solid() const override { return encloses_solid<Model>(); }
-  Rgb mean_free_path() const override {
-    if constexpr (requires { model_.mean_free_path(); })
-      return model_.mean_free_path();
+  Subsurface subsurface() const override {
+    if constexpr (requires { model_.subsurface(); })
+      return model_.subsurface();
     else
-      return Rgb(0);
+      return {};
   }
   float index_of_refraction() const override {
     if constexpr (encloses_solid<Model>())

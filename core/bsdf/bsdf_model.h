@@ -12,7 +12,7 @@
 //
 //   static std::vector<ModelPreset> presets();   named sets of parameter values
 //   void prepare();                              precomputes tables; see BsdfModel::prepared
-//   Rgb mean_free_path() const;                  light leaves the surface at other points; see BsdfModel
+//   Subsurface subsurface() const;               light leaves the surface at other points; see BsdfModel
 //   static constexpr bool kSolid = true;         light passes through the surface into a solid body
 //
 // Models are immutable values: editing a parameter creates another model.
@@ -24,6 +24,7 @@
 
 #include "base/parameter.h"
 #include "bsdf/bsdf_model_info.h"
+#include "bsdf/diffusion/diffusion_profiles.h"
 
 namespace etendue {
 
@@ -63,8 +64,8 @@ class BsdfModel {
   virtual bool is_solid() const = 0;
   // Index of refraction of the solid body; 1 for models without one.
   virtual float index_of_refraction() const = 0;
-  // Of light that is scattered below the surface, m; 0 for models whose light leaves where it arrived.
-  virtual Rgb mean_free_path() const = 0;
+  // Scattering below the surface; its mean free path is 0 for models whose light leaves where it arrived.
+  virtual Subsurface subsurface() const = 0;
 
  protected:
   BsdfModel() = default;

@@ -82,6 +82,15 @@ class LobeSet {
     return count_ == 1 ? std::get_if<Type>(&lobes_[0]) : nullptr;
   }
 
+  // Removes all lobes except deltas, or all deltas. The set must have no coating layers.
+  void keep_deltas(bool deltas) {
+    int kept = 0;
+    for (int i = 0; i < count_; ++i)
+      if (visit(i, [](const auto& l) { return l.is_delta(); }) == deltas)
+        lobes_[static_cast<size_t>(kept++)] = lobes_[static_cast<size_t>(i)];
+    count_ = kept;
+  }
+
   // Puts a layer over all lobes added so far. Lobes that are added later lie above it.
   template <class Layer>
   void add_coating(const Layer& layer) {

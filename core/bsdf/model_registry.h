@@ -7,6 +7,7 @@
 #include "bsdf/models/blinn_phong_model.h"
 #include "bsdf/models/cook_torrance_model.h"
 #include "bsdf/models/dielectric_model.h"
+#include "bsdf/models/dipole_model.h"
 #include "bsdf/models/eon_model.h"
 #include "bsdf/models/fresnel_mirror_model.h"
 #include "bsdf/models/lafortune_model.h"
@@ -38,6 +39,7 @@ using BsdfModels = TypeList<
     ThinDielectricModel,
     LambertModel,
     SubsurfaceModel,
+    DipoleModel,
     Phong1975Model,
     PhongModel,
     ReciprocalPhongModel,

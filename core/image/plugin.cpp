@@ -2,8 +2,9 @@
 
 #include <dlfcn.h>
 
-#include <cstdlib>
 #include <vector>
+
+#include "base/plugin_folders.h"
 
 namespace etendue::image {
 namespace {
@@ -11,13 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPluginFile = "libetendue_openimageio.so";
-
-std::vector<fs::path> plugin_folders() {
-  if (const char* folder = std::getenv("ETENDUE_PLUGIN_PATH")) return {folder};
-  std::error_code code;
-  const fs::path program = fs::read_symlink("/proc/self/exe", code);
-  return {program.parent_path(), program.parent_path().parent_path() / "lib" / "etendue"};
-}
 
 }  // namespace
 

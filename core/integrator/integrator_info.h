@@ -59,11 +59,12 @@ struct IntegratorInfo {
   Accumulation accumulation = Accumulation::per_pixel;
   char shortcut = 0;  // key that selects it in the viewer, '1' to '9'; 0: none
   TechniqueParameters techniques = {};
-  bool scattering_media = false;  // renders participating media that scatter; scenes with such media need it
+  bool scattering_media = false;     // renders participating media that scatter; scenes with such media need it
   bool heterogeneous_media = false;  // the same for media whose density varies
   bool emitting_media = false;       // the same for media that emit light
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
-  bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
+  bool ignores_portals = false;  // no light sample is guided by the environment portals of a scene
+  bool spectral = false;         // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();

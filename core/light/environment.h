@@ -11,8 +11,11 @@
 
 namespace etendue {
 
+enum class SkyModel : uint8_t { preetham, hosek_wilkie };
+
 // A clear sky with a sun (environments/sky.h).
 struct Sky {
+  SkyModel model = SkyModel::preetham;
   float sun_elevation = 0.7f;  // radians above the horizon
   float sun_azimuth = 0.9f;    // radians; 0 is +z, pi / 2 is +x
   float turbidity = 3;         // optical depth of the atmosphere over that of pure air: 2 is very clear, 10 hazy

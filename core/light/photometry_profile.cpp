@@ -78,6 +78,14 @@ float PhotometryProfile::intensity(const Vec3& d) const {
   return low * (1 - a.t) + high * a.t;
 }
 
+float PhotometryProfile::tilt_factor(float angle) const {
+  if (tilt_angles_.empty()) return 1;
+  const float within = std::clamp(angle, tilt_angles_.front(), tilt_angles_.back());
+  if (tilt_angles_.size() == 1) return tilt_factors_.front();
+  const Position p = position_in(tilt_angles_, within);
+  return tilt_factors_[p.first] * (1 - p.t) + tilt_factors_[p.second] * p.t;
+}
+
 Vec3 PhotometryProfile::sample_direction(Vec2 u) const {
   const float low = std::cos(polar_.back()), high = std::cos(polar_.front());
   const float along = low + u.x * (high - low);

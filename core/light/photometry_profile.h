@@ -1,9 +1,10 @@
 // The luminous intensity of a luminaire in every direction, as measured by a goniophotometer.
 //
-// Files are those of IES LM-63 (1986, 1991, 1995 and 2002), photometry of types C, B and A. Values between the measured
-// angles are interpolated linearly, directions beyond them are dark. Symmetries of the angles are expanded. TILT data
-// are read but not applied: they hold for other mounting positions. Candela values are multiplied by the file's
-// multiplier and ballast factor.                                                                     [IES LM-63-2002]
+// Files are those of IES LM-63 (1986, 1991, 1995, 2002 and 2019), photometry of types C, B and A. Values between the
+// measured angles are interpolated linearly, directions beyond them are dark. Symmetries of the angles are expanded.
+// Candela values are multiplied by the file's multiplier and ballast factor, in files of 1986 and 1991 also by the
+// photometric factor. They are absolute: the lumens per source, or -1 for absolute photometry, change nothing.
+//                                                                                                    [IES LM-63-2002]
 //
 // Directions are in the frame of a light: -z is the direction of emission.
 //
@@ -30,6 +31,10 @@ class PhotometryProfile {
   // The integral of the intensity over the sphere, lm. In closed form.
   float flux() const { return flux_; }
 
+  // The factor on the intensity of a luminaire that is tilted by this angle in radians from the position of the
+  // measurement (the TILT data of the file), interpolated linearly; 1 without such data.
+  float tilt_factor(float angle) const;
+
   // Directions uniform over the solid angle between the measured angles, outside of which there is no light.
   Vec3 sample_direction(Vec2 u) const;
   // Of `sample_direction`, per solid angle.
@@ -48,6 +53,7 @@ class PhotometryProfile {
   Type type_;
   // Angles about and from the axis of the type: -z of type C, x of type B, y of type A. Radians.
   std::vector<float> polar_, azimuths_, values_;
+  std::vector<float> tilt_angles_, tilt_factors_;  // ascending, radians
   float largest_ = 0, flux_ = 0, solid_angle_ = 4 * kPi;
 };
 

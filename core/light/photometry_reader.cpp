@@ -12,8 +12,15 @@ namespace {
 constexpr int kMaxAngles = 1000;
 constexpr float kRadians = kPi / 180;
 constexpr double kLargestIntensity = 1e9;  // cd
+constexpr float kLargestTiltFactor = 10;
 
 bool is_separator(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ','; }
+
+std::string_view without_spaces(std::string_view text) {
+  while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_separator(text.back())) text.remove_suffix(1);
+  return text;
+}
 
 // Angles of files are rounded.
 bool is_about(float angle, float expected) { return std::abs(angle - expected) < 0.01f; }
@@ -82,28 +89,54 @@ Result<std::vector<float>> PhotometryReader::angles(int count, const char* what)
   return list;
 }
 
-Result<void> PhotometryReader::skip_header() {
+// Files of 1995 and later name their standard with a colon. Later standards reserve the photometric factor.
+Result<void> PhotometryReader::read_header() {
+  has_photometric_factor_ = !text_.starts_with("IESNA:") && !text_.starts_with("IES:");
   while (at_ < text_.size()) {
     const std::string_view line = next_line();
     if (!line.starts_with("TILT")) continue;
     const size_t equals = line.find('=');
     if (equals == std::string_view::npos) return error("TILT has to be followed by = and NONE, INCLUDE or a file name");
-    return line.substr(equals + 1).starts_with("INCLUDE") ? skip_tilt() : Result<void>();
+    const std::string_view value = without_spaces(line.substr(equals + 1));
+    if (value == "NONE") return {};
+    return value == "INCLUDE" ? read_tilt() : read_tilt_file(value);
   }
   return input_error(name_ + ": has no line that starts with TILT=; a photometric file of IES LM-63 is expected");
 }
 
-Result<void> PhotometryReader::skip_tilt() {
-  if (auto geometry = number("the geometry of the tilt"); !geometry) return geometry.error();
+Result<void> PhotometryReader::read_tilt() {
+  if (auto geometry = count("the position of the source in the luminaire", 3); !geometry) return geometry.error();
   const auto pairs = count("the number of tilt angles", kMaxAngles);
   if (!pairs) return pairs.error();
-  for (int i = 0; i < 2 * *pairs; ++i)
-    if (auto value = number("a tilt angle or multiplier"); !value) return value.error();
+  auto degrees = angles(*pairs, "a tilt angle");
+  if (!degrees) return degrees.error();
+  for (const float angle : *degrees) tilt_angles_.push_back(angle * kRadians);
+  for (int i = 0; i < *pairs; ++i) {
+    const auto factor = number("a tilt multiplier");
+    if (!factor) return factor.error();
+    if (!(*factor >= 0 && *factor <= kLargestTiltFactor))
+      return error("a tilt multiplier has to be between 0 and " + number_text(kLargestTiltFactor));
+    tilt_factors_.push_back(static_cast<float>(*factor));
+  }
+  return {};
+}
+
+Result<void> PhotometryReader::read_tilt_file(std::string_view file) {
+  const std::filesystem::path path = folder_ / std::filesystem::path(file).filename();
+  const auto bytes = read_file(path);
+  if (!bytes)
+    return error("the file '" + std::string(file) +
+                 "' with the TILT data cannot be read; put it beside this file, or write TILT=NONE");
+  const std::string name = path.string();
+  PhotometryReader reader({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, name, folder_);
+  if (auto ok = reader.read_tilt(); !ok) return ok.error();
+  tilt_angles_ = std::move(reader.tilt_angles_);
+  tilt_factors_ = std::move(reader.tilt_factors_);
   return {};
 }
 
 Result<PhotometryProfile> PhotometryReader::read() {
-  if (auto ok = skip_header(); !ok) return ok.error();
+  if (auto ok = read_header(); !ok) return ok.error();
   double multiplier = 1;
   for (const char* what : {"the number of light sources", "the lumens per source", "the candela multiplier"}) {
     const auto value = number(what);
@@ -120,10 +153,11 @@ Result<PhotometryProfile> PhotometryReader::read() {
     if (auto value = number(what); !value) return value.error();
   const auto ballast = number("the ballast factor");
   if (!ballast) return ballast.error();
-  for (const char* what : {"the second ballast factor", "the input watts"})
-    if (auto value = number(what); !value) return value.error();
-  const double scale = multiplier * *ballast;
-  if (!(scale > 0)) return error("the candela multiplier and the ballast factor have to be positive");
+  const auto photometric_factor = number("the photometric factor (1 in files of 1995 and later)");
+  if (!photometric_factor) return photometric_factor.error();
+  if (auto value = number("the input watts"); !value) return value.error();
+  const double scale = multiplier * *ballast * (has_photometric_factor_ ? *photometric_factor : 1);
+  if (!(scale > 0)) return error("the candela multiplier and the ballast factors have to be positive");
 
   if (*vertical_count < 2) return error("there has to be more than one vertical angle");
   const auto vertical = angles(*vertical_count, "a vertical angle");
@@ -139,19 +173,24 @@ Result<PhotometryProfile> PhotometryReader::read() {
     values.push_back(static_cast<float>(*value * scale));
   }
 
+  const auto profile_of = [&](Grid grid) {
+    PhotometryProfile profile(static_cast<Type>(*type), std::move(grid.polar), std::move(grid.azimuths),
+                              std::move(grid.values));
+    profile.tilt_angles_ = std::move(tilt_angles_);
+    profile.tilt_factors_ = std::move(tilt_factors_);
+    return profile;
+  };
   if (static_cast<Type>(*type) == Type::c) {
     auto grid = grid_of_type_c(*vertical, *horizontal, values);
     if (!grid) return grid.error();
-    return PhotometryProfile(Type::c, std::move(grid->polar), std::move(grid->azimuths), std::move(grid->values));
+    return profile_of(std::move(*grid));
   }
   if (*horizontal_count < 2) return error("photometry of types A and B needs more than one horizontal angle");
   for (const auto* list : {&*vertical, &*horizontal})
     if (list->front() < -90.01f || list->back() > 90.01f)
       return error("angles of types A and B have to be between -90 and 90 degrees");
-  Grid grid = static_cast<Type>(*type) == Type::b ? grid_of_type_b(*vertical, *horizontal, values)
-                                                  : grid_of_type_a(*vertical, *horizontal, values);
-  return PhotometryProfile(static_cast<Type>(*type), std::move(grid.polar), std::move(grid.azimuths),
-                           std::move(grid.values));
+  return profile_of(static_cast<Type>(*type) == Type::b ? grid_of_type_b(*vertical, *horizontal, values)
+                                                        : grid_of_type_a(*vertical, *horizontal, values));
 }
 
 // One horizontal angle: axial symmetry. 0 to 90: both planes are planes of symmetry. 0 to 180 and 90 to 270: one is.
@@ -226,14 +265,16 @@ PhotometryReader::Grid PhotometryReader::grid_of_type_a(const std::vector<float>
   return grid;
 }
 
-Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name) {
-  return PhotometryReader(text, name).read();
+Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name,
+                                           const std::filesystem::path& folder) {
+  return PhotometryReader(text, name, folder).read();
 }
 
 Result<PhotometryProfile> read_photometry(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  return parse_photometry({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
+  return parse_photometry({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string(),
+                          path.parent_path());
 }
 
 }  // namespace etendue

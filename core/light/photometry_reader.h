@@ -9,13 +9,16 @@
 
 namespace etendue {
 
-// Input errors name the file, the line and what would be right. `name` stands for the file.
-Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name);
+// Input errors name the file, the line and what would be right. `name` stands for the file. Files with TILT data are
+// read from `folder`.
+Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name,
+                                           const std::filesystem::path& folder = {});
 Result<PhotometryProfile> read_photometry(const std::filesystem::path& path);
 
 class PhotometryReader {
  public:
-  PhotometryReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  PhotometryReader(std::string_view text, const std::string& name, const std::filesystem::path& folder)
+      : text_(text), name_(name), folder_(folder) {}
 
   Result<PhotometryProfile> read();
 
@@ -27,9 +30,10 @@ class PhotometryReader {
   };
 
   Error error(const std::string& what) const;
-  // Moves past the keywords to the line after TILT.
-  Result<void> skip_header();
-  Result<void> skip_tilt();
+  // Moves past the keywords and the TILT data.
+  Result<void> read_header();
+  Result<void> read_tilt();
+  Result<void> read_tilt_file(std::string_view file);
   std::string_view next_line();
   std::string_view next_word();
   Result<double> number(const char* what);
@@ -46,6 +50,9 @@ class PhotometryReader {
 
   std::string_view text_;
   const std::string& name_;
+  const std::filesystem::path& folder_;
+  std::vector<float> tilt_angles_, tilt_factors_;  // radians
+  bool has_photometric_factor_ = true;             // the standard of the file defines this factor
   size_t at_ = 0;
   int line_ = 1;
 };

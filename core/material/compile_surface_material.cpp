@@ -44,8 +44,8 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   has_alpha = m.alpha_mode != AlphaMode::opaque;
   absorbs_inside = m.is_solid() && ((std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1))) ||
                                     !m.medium.is_clear());
-  if (m.model && !m.unlit) mean_free_path = m.model->mean_free_path();
-  has_subsurface = !is_black(mean_free_path);
+  if (m.model && !m.unlit) subsurface = m.model->subsurface();
+  has_subsurface = !is_black(subsurface.mean_free_path);
   if (m.is_solid() && !m.unlit) inside = m.inside_index();
   if (m.model && !m.unlit)
     classify_model();

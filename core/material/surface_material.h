@@ -67,7 +67,7 @@ struct SurfaceMaterial {
   bool has_constant_base_color = false;  // base_factor times the vertex colour everywhere
   // The lobes of a BSDF model with a constant base colour, for points without vertex colour; else null.
   std::shared_ptr<const AllLobes<Rgb>> constant_lobes = nullptr;
-  Rgb mean_free_path{0};  // of light below the surface, m; with has_subsurface
+  Subsurface subsurface;  // with has_subsurface
 
   // The textures of lobes beyond StandardLobes. They stand last to keep the members of common materials together.
   Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,

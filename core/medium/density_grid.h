@@ -46,6 +46,10 @@ class DensityGrid {
     float lowest = 0, highest = 0;
   };
 
+  // Coarse cells along each axis, and per unit of length. The last cell of an axis may have fewer voxels.
+  const GridSize& cell_counts() const { return cell_counts_; }
+  const Vec3& cells_per_unit() const { return cells_per_unit_; }
+
   // The part of a ray inside the unit cube; empty (from >= to) if it misses the cube.
   static GridRay clipped(GridRay ray);
 
@@ -56,6 +60,11 @@ class DensityGrid {
              [&](float from, float to, size_t cell) { return visit(from, to, cells_[cell]); });
   }
 
+  // Calls visit(from, to, cell) for the cells of a division of the unit cube along a clipped ray, until it returns false.
+  // Cells are numbered with x varying fastest.
+  template <class Visit>
+  static void traverse(const GridRay& ray, const Vec3& cells_per_unit, const GridSize& counts, Visit&& visit);
+
   // The integral of the density over the parameter of a clipped ray. Exact up to rounding: along a ray, the density in a
   // voxel is a cubic polynomial.
   double integral(const GridRay& ray) const;
@@ -63,8 +72,6 @@ class DensityGrid {
  private:
   float interpolated(const std::vector<float>& values, const Vec3& p) const;
   void find_cells();
-  template <class Visit>
-  static void traverse(const GridRay& ray, const Vec3& cells_per_unit, const GridSize& counts, Visit&& visit);
 
   GridValues values_;
   Vec3 voxels_;          // per axis

@@ -1,9 +1,13 @@
 #include "medium/grid_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <mutex>
 
+#include "medium/grid_plugin.h"
 #include "medium/nanovdb_reader.h"
 
 namespace etendue {
@@ -14,18 +18,53 @@ struct LoadedFile {
   std::weak_ptr<const GridValues> values;
 };
 
+Result<GridValues> parse_vdb(std::span<const std::byte> bytes, const std::string& name) {
+  const auto plugin = grid_plugin();
+  if (!plugin) return input_error(name + ": " + plugin.error().message);
+  return (*plugin)->read_vdb(bytes, name, kMostGridVoxels);
+}
+
+void remove_invalid(std::vector<float>& values) {
+  for (float& v : values)
+    if (!(v > 0) || !std::isfinite(v)) v = 0;
+}
+
+Result<std::vector<std::byte>> bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
+  if (size < 0) return input_error(path + ": cannot be opened; give the path of a .nvdb or .vdb file");
+  std::vector<std::byte> bytes(static_cast<size_t>(size));
+  in.seekg(0);
+  if (!in.read(reinterpret_cast<char*>(bytes.data()), size)) return input_error(path + ": cannot be read");
+  return bytes;
+}
+
 }  // namespace
+
+Result<GridValues> parse_grid_file(std::span<const std::byte> bytes, const std::string& name) {
+  auto values = name.ends_with(".vdb") ? parse_vdb(bytes, name) : parse_nanovdb(bytes, name, kMostGridVoxels);
+  if (!values) return values;
+  remove_invalid(values->density);
+  remove_invalid(values->temperature);
+  float highest = 0;
+  for (const float t : values->temperature) highest = std::max(highest, t);
+  for (float& t : values->temperature) t = highest > 0 ? t / highest : 0;
+  return values;
+}
 
 Result<std::shared_ptr<const GridValues>> load_grid_file(const std::string& path) {
   static std::mutex mutex;
   static std::map<std::string, LoadedFile> loaded;
   std::error_code error;
   const auto changed = std::filesystem::last_write_time(path, error);
-  if (error) return input_error(path + ": cannot be read: " + error.message() + "; give the path of a .nvdb file");
+  if (error)
+    return input_error(path + ": cannot be read: " + error.message() + "; give the path of a .nvdb or .vdb file");
   const std::lock_guard lock(mutex);
   LoadedFile& entry = loaded[path];
   if (auto values = entry.values.lock(); values && entry.changed == changed) return values;
-  auto read = read_nanovdb(path);
+  const auto bytes = bytes_of(path);
+  if (!bytes) return bytes.error();
+  auto read = parse_grid_file(*bytes, path);
   if (!read) return read.error();
   std::shared_ptr<const GridValues> values = std::make_shared<GridValues>(std::move(*read));
   entry = {changed, values};

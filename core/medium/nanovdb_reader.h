@@ -1,7 +1,7 @@
 // Reads grids of floats from NanoVDB files.                                                            [Museth 2021]
 //
-// All offsets in the file are checked before they are followed, so that damaged files give an error. Values that are
-// negative or not finite become 0.
+// Grids may consist of 32-bit floats or of 4-, 8-, 16-bit or variable-rate quantised floats, and be compressed by zlib or
+// Blosc. All offsets in the file are checked before they are followed, so that damaged files give an error. Values are those of the file.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -12,11 +12,8 @@
 
 namespace etendue {
 
-inline constexpr size_t kMostGridVoxels = size_t{1} << 28;
-
-// The grids `density` (or the first one) and `temperature`, in the bounding box of the density.
-Result<GridValues> read_nanovdb(const std::string& path);
-// The same from the bytes of a file; `name` stands for it in messages.
-Result<GridValues> parse_nanovdb(std::span<const std::byte> bytes, const std::string& name);
+// The grids `density` (or the first one) and `temperature`, in the bounding box of the density, from the bytes of a
+// file; `name` stands for it in messages. Grids with more voxels than `most_voxels` are refused.
+Result<GridValues> parse_nanovdb(std::span<const std::byte> bytes, const std::string& name, size_t most_voxels);
 
 }  // namespace etendue

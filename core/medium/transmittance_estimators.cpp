@@ -5,6 +5,9 @@
 namespace etendue {
 namespace {
 
+// The least mean number of points on a ray at which emission is evaluated.
+constexpr float kEmissionPoints = 8;
+
 template <class Color>
 float smallest_component(const Color& color) {
   float smallest = color[0];
@@ -56,19 +59,25 @@ void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, f
 // Ratio tracking                                                                              [Novak et al. 2014]
 //
 // Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
-// fraction of null collisions, in each channel.
+// fraction of null collisions, in each channel. If emission is estimated, collisions are at least so frequent that a ray
+// through a thin medium has several of them.
 template <class Color>
 Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
                      const RaySpan& span, RandomStream& random, Color* emitted) {
   const GridRay ray = medium.in_grid(span);
   Color estimate(1);
+  const float metres = HeterogeneousMedium::metres(span), length = (ray.to - ray.from) * metres;
+  const float least_rate = emitted && length > 0 ? kEmissionPoints / length : 0;  // 1/m
   float largest = largest_extinction(coefficients, estimate);
+  const auto rate_in = [&](const DensityGrid::Cell& cell) {
+    const float majorant = cell.highest * largest;
+    return majorant > 0 ? std::max(majorant, least_rate) : 0.0f;
+  };
   for_each_collision(
-      medium, ray, HeterogeneousMedium::metres(span), random, [](const DensityGrid::Cell&, float) {},
-      [&](const DensityGrid::Cell& cell) { return cell.highest * largest; },
+      medium, ray, metres, random, [](const DensityGrid::Cell&, float) {}, rate_in,
       [&](float at, const DensityGrid::Cell& cell) {
         const Vec3 p = ray.at(at);
-        const float density = std::min(medium.grid->density(p), cell.highest), rate = cell.highest * largest;
+        const float density = std::min(medium.grid->density(p), cell.highest), rate = rate_in(cell);
         if (emitted) *emitted += estimate * coefficients.emission_of(medium.emitted(p, density)) / rate;
         estimate *= Color(1) - coefficients.extinction * (density / rate);
         terminate_small_channels(estimate, random);

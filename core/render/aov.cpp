@@ -1,10 +1,12 @@
 #include "render/aov.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/hash.h"
 #include "film/film.h"
 #include "film/filter.h"
+#include "integrator/path/transport_terms.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "render/prepared_document.h"
 #include "render/thread_pool.h"
@@ -68,7 +70,36 @@ Vec2 pair_of(const SampleBlock& random, int dimension) {
   return Vec2(random[static_cast<size_t>(dimension)], random[static_cast<size_t>(dimension) + 1]);
 }
 
+// A term of the equation of transfer.
+struct MediumAov {
+  const char* name;
+  Rgb integrator::TransportTerms::*term;
+};
+
+constexpr MediumAov kMediumAovs[] = {
+    {"medium-surface", &integrator::TransportTerms::surface},
+    {"medium-absorption", &integrator::TransportTerms::absorption},
+    {"medium-out-scattering", &integrator::TransportTerms::out_scattering},
+    {"medium-emission", &integrator::TransportTerms::emission},
+    {"medium-in-scattering", &integrator::TransportTerms::in_scattering},
+};
+
+int max_depth_of(const Document& document) {
+  for (const Setting& setting : document.method.settings_of(document.method.integrator))
+    if (setting.name == "max-depth") return static_cast<int>(std::get<int64_t>(setting.value));
+  return 0;
+}
+
 }  // namespace
+
+const std::vector<std::string>& medium_aov_names() {
+  static const auto names = [] {
+    std::vector<std::string> list;
+    for (const MediumAov& aov : kMediumAovs) list.emplace_back(aov.name);
+    return list;
+  }();
+  return names;
+}
 
 const std::vector<std::string>& aov_names() {
   static const auto names = [] {
@@ -126,6 +157,47 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
   };
   ThreadPool workers(threads);
   workers.run(0, height, render_row, [] { return true; });
+  return layers;
+}
+
+std::vector<image::Layer> render_medium_aovs(std::shared_ptr<const scene::CompiledScene> scene,
+                                             const Document& document, const std::vector<std::string>& names,
+                                             uint32_t samples, int threads) {
+  std::vector<image::Layer> layers;
+  std::vector<Rgb integrator::TransportTerms::*> terms;
+  const auto width = static_cast<size_t>(document.width), height = static_cast<size_t>(document.height);
+  for (const MediumAov& aov : kMediumAovs) {
+    if (std::ranges::find(names, aov.name) == names.end()) continue;
+    terms.push_back(aov.term);
+    layers.push_back({aov.name, {"R", "G", "B"}, std::vector<float>(width * height * 3)});
+  }
+  if (layers.empty()) return layers;
+  PreparedDocument prepared(document, std::move(scene));
+  const integrator::RenderContext context = prepared.context();
+  const int max_depth = max_depth_of(document);
+  const int columns = (document.width + integrator::PixelBlock::kWidth - 1) / integrator::PixelBlock::kWidth,
+            rows = (document.height + integrator::PixelBlock::kHeight - 1) / integrator::PixelBlock::kHeight;
+  const auto render_block = [&](int number, uint32_t sample) {
+    const auto block = integrator::block_containing(number % columns * integrator::PixelBlock::kWidth,
+                                                    number / columns * integrator::PixelBlock::kHeight, document.width,
+                                                    document.height, sample);
+    std::array<integrator::TransportTerms, integrator::PixelBlock::kMostPixels> values;
+    if (!integrator::sample_transport_terms(context, block, max_depth, {}, values)) return;
+    for (int y = 0; y < block.height; ++y)
+      for (int x = 0; x < block.width; ++x) {
+        const auto& value = values[static_cast<size_t>(y * block.width + x)];
+        const size_t pixel = static_cast<size_t>(block.y + y) * width + static_cast<size_t>(block.x + x);
+        for (size_t k = 0; k < layers.size(); ++k)
+          for (int c = 0; c < 3; ++c)
+            layers[k].pixels[pixel * 3 + static_cast<size_t>(c)] += (value.*terms[k])[c] / static_cast<float>(samples);
+      }
+  };
+  ThreadPool workers(threads);
+  for (uint32_t sample = 0; sample < samples; ++sample) {
+    if (sample % film::kHalfBuffers == 0) prepared.prepare_sampler(sample / film::kHalfBuffers);
+    workers.run(
+        0, columns * rows, [&](int number) { render_block(number, sample); }, [] { return true; });
+  }
   return layers;
 }
 

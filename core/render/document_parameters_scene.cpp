@@ -105,7 +105,7 @@ void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
   add_number("sun-azimuth", "Sun azimuth", &Sky::sun_azimuth, {-2 * kPi, 2 * kPi},
              "Angle of the sun about the vertical axis, from +z towards +x", "rad");
   add_number(
-      "turbidity", "Turbidity", &Sky::turbidity, {kLeastTurbidity, kLargestTurbidity},
+      "turbidity", "Turbidity", &Sky::turbidity, {least_turbidity(sky.model), kLargestTurbidity},
       "Haze: optical depth of the atmosphere relative to pure air. 2 is very clear, 6 hazy; higher makes the sky "
       "paler and the sun weaker",
       "");

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kPixels = 8;            // width and height of the rendered images
 constexpr float kCardRadius = 1e-4f;  // as a fraction of the scene's radius
+constexpr float kSensorAlbedo = 0.01f;
 constexpr float kCardOffset = 0.02f;  // distance of the card from the surface, as a fraction of the card's radius
 constexpr float kCardView = 0.2f;     // radians: field of view of the camera in front of the card
 constexpr float kRayView = 1e-3f;     // radians: field of view of the camera at the eye
@@ -167,11 +168,10 @@ Document flux_measurement(const Document& document, const MeterPoint& point, flo
   Material sensor = scene::diffuse(Rgb(albedo));
   sensor.name = "light meter";
   sensor.double_sided = false;
-  const Vec3 right = normalize_or(glm::cross(Vec3(0, 1, 0), point.normal), Vec3(1, 0, 0));
-  const Vec3 up = glm::cross(point.normal, right);
-  const Vec3 centre = point.position + offset * point.normal;
-  scene::add(*scene, scene::rectangle(centre - 0.5f * size * (right + up), size * right, size * up), sensor);
-  Camera camera = look_at(centre + 0.5f * offset * point.normal, centre, up, 1);
+  const auto [corner, right, opposite, top] = sensor_corners(point, size);
+  const Vec3 lift = offset * point.normal, centre = point.position + lift;
+  scene::add(*scene, scene::rectangle(corner + lift, right - corner, top - corner), sensor);
+  Camera camera = look_at(centre + 0.5f * lift, centre, glm::normalize(top - corner), 1);
   camera.projection = Projection::orthographic;
   camera.ymag = 0.5f * size;
   return measurement(document, std::move(scene), camera);
@@ -194,18 +194,17 @@ std::optional<MeterPoint> meter_point_at(const Document& document, const scene::
                     .instance = static_cast<uint32_t>(surface.instance - scene.instances().data())};
 }
 
-MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
-                                   float size, uint32_t samples, int threads) {
-  constexpr float kAlbedo = 0.01f;
-  const float distance_from_origin = std::max(glm::length(point.position), glm::length(point.eye));
-  const float offset = std::max(kCardRadius * scene.bounds().radius(), 1e-5f * distance_from_origin);
-  const float factor = kPi / kAlbedo * sqr(size);
-  Meter meter(flux_measurement(document, point, size, offset, kAlbedo), factor, nullptr, threads);
-  return meter.read(samples);
+std::array<Vec3, 4> sensor_corners(const MeterPoint& point, float size) {
+  const Vec3 right = normalize_or(glm::cross(Vec3(0, 1, 0), point.normal), Vec3(1, 0, 0));
+  const Vec3 x = 0.5f * size * right, y = 0.5f * size * glm::cross(point.normal, right);
+  const Vec3& p = point.position;
+  return {p - x - y, p + x - y, p + x + y, p - x + y};
 }
 
 void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
-                   uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish) {
+                   const MeterSettings& settings, const std::function<bool(const MeterReadings&)>& publish) {
+  const auto [samples, threads, sensor_size] = settings;
+  const float radius = card_radius(*scene, point);
   MeterReadings readings;
   readings.point = point;
   const EmittedFlux emitted = flux_of(*scene, point.instance);
@@ -213,10 +212,15 @@ void measure_light(const Document& document, std::shared_ptr<const scene::Compil
   if (emitted.area > 0) readings.emitted_exitance = emitted.flux / emitted.area;
   readings.lights = intensities_towards(*scene, point.position);
   Meter radiance(radiance_measurement(document, point), 1, scene, threads);
-  Meter irradiance(irradiance_measurement(document, point, card_radius(*scene, point)), kPi, scene, threads);
+  Meter irradiance(irradiance_measurement(document, point, radius), kPi, scene, threads);
+  std::optional<Meter> received;
+  if (sensor_size > 0)
+    received.emplace(flux_measurement(document, point, sensor_size, radius, kSensorAlbedo),
+                     kPi / kSensorAlbedo * sqr(sensor_size), nullptr, threads);
   for (uint32_t n = std::min(samples, 4U);; n = std::min(samples, 2 * n)) {
     readings.radiance = radiance.read(n);
     readings.irradiance = irradiance.read(n);
+    if (received) readings.received_flux = received->read(n);
     readings.samples = n;
     if (!publish(readings) || n == samples) return;
   }

@@ -5,6 +5,7 @@
 // of the scene's, lies on the surface, and a camera views it from close by. All quantities are measured by path
 // tracing, independently of the integrator of the document.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,21 +50,27 @@ struct MeterReadings {
   Rgb emitted_exitance{0};  // lm/m^2, the emitted flux over the area of all emitting sides
   // Lights without extent and emissive meshes, strongest illuminance first, at most kMeterLights.
   std::vector<LightIntensity> lights;
-  uint32_t samples = 0;  // per pixel, of 64 pixels
+  std::optional<MeterReading> received_flux;  // lm, by the sensor; nothing without one
+  uint32_t samples = 0;                       // per pixel, of 64 pixels
 };
 
 inline constexpr size_t kMeterLights = 8;
 
-// The luminous flux in lm that a square sensor at the point receives on the side of the camera; `size` in metres. Two of
-// its sides are horizontal, or along x if it lies flat. It is opaque with an albedo of 1 %, so that it casts a shadow but
-// hardly reflects.
-MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
-                                   float size, uint32_t samples, int threads);
+struct MeterSettings {
+  uint32_t samples = 1024;  // per pixel, of 64 pixels
+  int threads = 0;          // 0: one per hardware thread
+  // Side of a square sensor at the point that measures the received flux on the side of the camera, m; 0 for none. It is
+  // opaque with an albedo of 1 %, so that it casts a shadow but hardly reflects.
+  float sensor_size = 0;
+};
 
-// Measures with a growing number of samples and calls `publish` after each step, until the number reaches `samples` or
-// `publish` returns false.
+// The corners of the sensor, in order. Two of its sides are horizontal, or along x if it lies flat.
+std::array<Vec3, 4> sensor_corners(const MeterPoint& point, float size);
+
+// Measures with a growing number of samples and calls `publish` after each step, until the number reaches that of the
+// settings or `publish` returns false.
 void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
-                   uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
+                   const MeterSettings& settings, const std::function<bool(const MeterReadings&)>& publish);
 
 // The spectrum of the radiance from the point to the camera, and that of the irradiance at the point, in W/(m^2 nm).
 // An error says why the scene has no spectral rendering, or that `keep_going` returned false.

@@ -3,16 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "render/default_light.h"
 #include "render/document.h"
 
 namespace etendue::render {
 
-// The warnings of the scene, without that about the studio environment if another one has replaced it.
-inline std::vector<std::string> current_warnings(const Document& document) {
-  std::vector<std::string> warnings = document.scene->warnings;
-  if (document.scene->environment.file != "studio") std::erase(warnings, kNoLightWarning);
-  return warnings;
-}
+// The warnings of the scene, without that about the studio environment if another one has replaced it, and with a warning
+// about environment portals that the integrator ignores.
+std::vector<std::string> current_warnings(const Document& document);
 
 }  // namespace etendue::render

@@ -204,10 +204,27 @@ void Solids::set_media(const std::vector<InstanceData>& instances, const std::ve
     any_heterogeneous_ = any_heterogeneous_ || material.medium.is_heterogeneous();
     any_medium_emits_ = any_medium_emits_ || solid.medium.emits();
   }
+  if (any_medium_emits_ || (atmosphere_ && atmosphere_->medium.emits())) find_emitters();
   if (!atmosphere_) return;
   any_heterogeneous_ = any_heterogeneous_ || atmosphere_->heterogeneous;
   any_medium_emits_ = any_medium_emits_ || atmosphere_->medium.emits();
   if (!atmosphere_->error.empty()) medium_error_ = "atmosphere: " + atmosphere_->error;
+}
+
+void Solids::find_emitters() {
+  std::vector<EmitterBox> boxes;
+  for (const Solid& solid : solids_) {
+    if (solid.has_surface || !solid.medium.emits()) continue;
+    boxes.push_back(solid.heterogeneous ? emitter_box(*solid.heterogeneous)
+                                        : emitter_box(solid.medium, solid.bounds.min, solid.bounds.max));
+  }
+  if (atmosphere_ && atmosphere_->medium.emits() && std::isfinite(atmosphere_->radius)) {
+    const Vec3 half(atmosphere_->radius);
+    boxes.push_back(atmosphere_->heterogeneous
+                        ? emitter_box(*atmosphere_->heterogeneous)
+                        : emitter_box(atmosphere_->medium, atmosphere_->centre - half, atmosphere_->centre + half));
+  }
+  emitters_ = MediumEmitters(boxes);
 }
 
 // Sweeps along the x axis.

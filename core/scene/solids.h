@@ -22,6 +22,7 @@
 #include "geometry/accel.h"
 #include "geometry/mesh.h"
 #include "material/surface_material.h"
+#include "medium/medium_emitters.h"
 #include "scene/atmosphere_medium.h"
 #include "scene/medium_stack.h"
 
@@ -109,6 +110,8 @@ class Solids {
   bool any_heterogeneous() const { return any_heterogeneous_; }
   // Whether a medium emits light.
   bool any_medium_emits() const { return any_medium_emits_; }
+  // Directions towards media that emit light. Solids with a surface are left out, which light samples do not pass.
+  const MediumEmitters& emitters() const { return emitters_; }
   // Why a medium cannot be rendered, with a remedy; empty if all can.
   const std::string& medium_error() const { return medium_error_; }
 
@@ -129,6 +132,7 @@ class Solids {
   // Sets `heterogeneous` of solids and the properties of all media together.
   void set_media(const std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
                  const std::vector<Mat4>& world);
+  void find_emitters();
   void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
                       MediumInterface& interface) const;
 
@@ -139,6 +143,7 @@ class Solids {
   bool any_has_alpha_ = false;
   bool any_without_surface_ = false;
   bool scatters_ = false, any_heterogeneous_ = false, any_medium_emits_ = false;
+  MediumEmitters emitters_;
   std::string medium_error_;
   float offset_ = 0;  // the largest offset of solids that may overlap
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bench/external_renderer.h"
+#include "bsdf/bsdf_model.h"
 #include "render/incompatibility.h"
 
 namespace etendue::bench {
@@ -58,6 +59,22 @@ bool is_same_image(const render::Document& a, const render::Document& b) {
 // Whether a parameter of the scene only selects how the image is estimated.
 bool is_estimator_of_scene(std::string_view name) { return name.ends_with(".medium-transmittance"); }
 
+bool has_diffusion_profile(std::string_view model) {
+  const auto made = make_bsdf_model(model);
+  return made && !is_black(made->subsurface().mean_free_path);
+}
+
+// Whether a setting approximates a scattering body by a diffusion profile: the model of a material or one of its
+// parameters. The error of the method then includes the difference from the body of the scene.
+bool is_diffusion_profile(std::string_view name, std::string_view value) {
+  if (!name.starts_with("material.")) return false;
+  if (name.ends_with(".model")) return has_diffusion_profile(value);
+  return std::ranges::any_of(bsdf_model_infos(), [&](const BsdfModelInfo& info) {
+    const std::string section = "." + std::string(info.description.name) + ".";
+    return name.find(section) != std::string_view::npos && has_diffusion_profile(info.description.name);
+  });
+}
+
 Error method_error(const std::string& method, const std::string& why) {
   return usage_error("--methods: '" + method + "': " + why);
 }
@@ -109,7 +126,7 @@ Result<MethodSpec> parse_method(const std::string& text, const render::Document&
     auto changed = render::with_text(method.document, name, value);
     if (!changed) return method_error(text, changed.error().message);
     method.document = std::move(*changed);
-    if (is_estimator_of_scene(name)) image.scene = method.document.scene;
+    if (is_estimator_of_scene(name) || is_diffusion_profile(name, value)) image.scene = method.document.scene;
     if (!is_same_image(method.document, image))
       return method_error(text, "'" + name + "' changes the image, not the method; set it for all methods with --set");
   }

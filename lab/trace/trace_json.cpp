@@ -86,6 +86,7 @@ json vertex_json(const scene::CompiledScene& scene, const RecordedVertex& v) {
             {"light_samples", json::array()},
             {"bsdf_samples", json::array()}};
   if (!v.escaped) add_surface(scene, v, j);
+  if (v.medium_emission) j["medium_emission"] = emission_json(*v.medium_emission);
   if (v.emission) j["emission"] = emission_json(*v.emission);
   for (const RecordedLight& light : v.lights) j["light_samples"].push_back(light_json(scene, light));
   for (const RecordedScattering& s : v.scattering_samples) j["bsdf_samples"].push_back(scattering_json(s));

@@ -40,6 +40,7 @@ std::string place_name(const scene::CompiledScene& scene, const scene::SurfacePo
 
 std::string light_name(const scene::CompiledScene& scene, const LightSample& sample) {
   if (sample.kind == LightKind::environment) return "environment";
+  if (sample.kind == LightKind::medium) return "media";
   if (sample.kind == LightKind::placed) {
     const size_t index = sample.light - scene.lights().triangles().size();
     return named(scene.lights().placed()[index].name, "light", index);

@@ -84,6 +84,12 @@ TraceRow scattering_row(const RecordedScattering& s, int vertex) {
 void add_vertex_rows(const scene::CompiledScene& scene, const RecordedVertex& v, int index,
                      std::vector<TraceRow>& rows) {
   rows.push_back(vertex_row(scene, v, index));
+  if (v.medium_emission)
+    rows.push_back({.vertex = index,
+                    .event = "emission of media",
+                    .details = "radiance " + color(v.medium_emission->radiance),
+                    .mis_weight = number(v.medium_emission->mis_weight),
+                    .contribution = color(v.medium_emission->contribution)});
   if (v.emission)
     rows.push_back({.vertex = index,
                     .event = v.escaped ? "environment" : "emission",

@@ -18,7 +18,13 @@ struct NanovdbGrid {
   std::function<float(int, int, int)> value;
 };
 
-// The bytes of a file with these grids.
-std::vector<std::byte> nanovdb_bytes(const std::vector<NanovdbGrid>& grids);
+// How values are stored: 32-bit floats, or quantised.
+enum class NanovdbValues { floats, fp4, fp8, fp16, fpn };
+enum class NanovdbCompression { none, zip, blosc };
+
+// The bytes of a file with these grids. Empty if the tests were built without Blosc, which it would need.
+std::vector<std::byte> nanovdb_bytes(const std::vector<NanovdbGrid>& grids,
+                                     NanovdbValues values = NanovdbValues::floats,
+                                     NanovdbCompression compression = NanovdbCompression::none);
 
 }  // namespace etendue::test

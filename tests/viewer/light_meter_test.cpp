@@ -35,6 +35,26 @@ TEST_F(LightMeterPanel, MeasuresAtTheClickedPoint) {
       << "measuring must not edit the document";
 }
 
+// A sensor on the floor receives its area times the illuminance there, approximately, because that varies.
+TEST_F(LightMeterPanel, SensorReceivesFlux) {
+  const auto steps =
+      joined(small(1), steps_of({click("meter.pick"),
+                                 {{"do", "drag"}, {"from", {280, 330}}, {"to", {280, 330}}, {"button", "left"}},
+                                 wait_for("meter"),
+                                 file_step("state", path("none.json")),
+                                 set("meter.sensor", 0.05),
+                                 wait_for("meter"),
+                                 file_step("state", path("sensor.json")),
+                                 file_step("screenshot", path("sensor.png"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_FALSE(state("none.json")["meter"].contains("received_flux"));
+  const auto meter = state("sensor.json")["meter"];
+  ASSERT_TRUE(meter["whole"].get<bool>());
+  const double illuminance = meter["irradiance"]["value"][1].get<double>();
+  const double flux = meter["received_flux"]["value"][1].get<double>();
+  EXPECT_NEAR(flux / (0.05 * 0.05 * illuminance), 1, 0.25);
+}
+
 // A preset is one step of undo.
 TEST_F(LightMeterPanel, PresetSetsIntensityAndColour) {
   const auto steps =
@@ -56,11 +76,11 @@ TEST_F(LightMeterPanel, PresetSetsIntensityAndColour) {
 
 // The stored intensity is in candela; the field shows and takes it in the selected unit.
 TEST_F(LightMeterPanel, IntensityIsEditedInTheSelectedUnit) {
-  const auto steps = joined(
-      small(1), steps_of({click("tab.light"), click("light.choose.0"), set("light.0.intensity", 30),
-                          file_step("state", path("candela.json")), set("light.unit", "radiometric"),
-                          set("meter.efficacy", "maximal"), file_step("screenshot", path("watts.png")),
-                          set("light.0.intensity", 2), file_step("state", path("watts.json"))}));
+  const auto steps =
+      joined(small(1), steps_of({click("tab.light"), click("light.choose.0"), set("light.0.intensity", 30),
+                                 file_step("state", path("candela.json")), set("light.unit", "radiometric"),
+                                 set("meter.efficacy", "maximal"), file_step("screenshot", path("watts.png")),
+                                 set("light.0.intensity", 2), file_step("state", path("watts.json"))}));
   ASSERT_EQ(run(steps, "spot-indirect"), 0);
   EXPECT_EQ(state("candela.json")["parameters"]["light.0.intensity"], 30);
   EXPECT_NEAR(state("watts.json")["parameters"]["light.0.intensity"].get<double>(), 2 * 683, 1e-3);
@@ -68,9 +88,10 @@ TEST_F(LightMeterPanel, IntensityIsEditedInTheSelectedUnit) {
 
 TEST_F(LightMeterPanel, TemperatureSetsTheColour) {
   const auto steps = joined(
-      small(1), steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
-                          set("light.temperature", 2856), file_step("state", path("warm.json")),
-                          file_step("screenshot", path("warm.png")), key("ctrl+z"), file_step("state", path("after.json"))}));
+      small(1),
+      steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
+                set("light.temperature", 2856), file_step("state", path("warm.json")),
+                file_step("screenshot", path("warm.png")), key("ctrl+z"), file_step("state", path("after.json"))}));
   ASSERT_EQ(run(steps, "spot-indirect"), 0);
   const auto warm = state("warm.json")["parameters"], before = state("before.json")["parameters"],
              after = state("after.json")["parameters"];

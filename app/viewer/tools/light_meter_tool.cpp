@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/segment_projection.h"
 #include "light/light_type.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
@@ -63,18 +64,22 @@ void LightMeter::update(const TaskContext& context) {
   const uint64_t version = context.editor.version();
   const auto scene = context.session.scene();
   if (!raster_ || !scene || context.session.status().version != version) return;
-  if (version_ == version && with_spectrum_ == parameters.spectrum) return;
+  const bool is_measured =
+      version_ == version && with_spectrum_ == parameters.spectrum && sensor_size_ == parameters.sensor;
+  if (is_measured) return;
   version_ = version;
   with_spectrum_ = parameters.spectrum;
+  sensor_size_ = parameters.sensor;
   const auto& document = context.editor.document();
   const auto point = render::meter_point_at(document, *scene, *raster_);
   if (!point) return task_.reset();
   // One thread, because the main rendering continues.
-  const auto work = [document, scene, point = *point, with_spectrum = with_spectrum_](const auto& publish,
-                                                                                      const bench::Progress& progress) {
+  const render::MeterSettings settings{.samples = kSamples, .threads = 1, .sensor_size = sensor_size_};
+  const auto work = [document, scene, settings, point = *point, with_spectrum = with_spectrum_](
+                        const auto& publish, const bench::Progress& progress) {
     Measurement measurement;
     bool keep_going = true;
-    render::measure_light(document, scene, point, kSamples, 1, [&](const render::MeterReadings& readings) {
+    render::measure_light(document, scene, point, settings, [&](const render::MeterReadings& readings) {
       measurement.readings = readings;
       publish(measurement);
       return keep_going = progress(static_cast<double>(readings.samples) / kSamples, "");
@@ -111,6 +116,9 @@ void LightMeter::draw(AppState& state) {
   if (!is_black(readings->emitted_exitance))
     draw_reading(ui, {"Luminous exitance", "lm/m^2", "Radiant exitance", "W/m^2"}, {readings->emitted_exitance, 0},
                  parameters.efficacy, "The emitted flux over the area of all emitting sides");
+  if (readings->received_flux)
+    draw_reading(ui, {"Received flux", "lm", "Received power", "W"}, *readings->received_flux, parameters.efficacy,
+                 "Received by the square sensor at the point, which casts a shadow");
   for (const render::LightIntensity& light : readings->lights)
     labelled_value(ui, light.name.c_str(), formatted("%.4g cd", static_cast<double>(luminance(light.intensity))),
                    "Luminous intensity of this light towards the point, whether or not something is in between");
@@ -131,6 +139,25 @@ void LightMeter::draw_marker(const AppState& state, ImDrawList& draw) const {
   };
   draw_cross(IM_COL32(0, 0, 0, 170), 3.5f);
   draw_cross(IM_COL32(255, 220, 80, 255), 1.5f);
+  draw_sensor(state, draw);
+}
+
+void LightMeter::draw_sensor(const AppState& state, ImDrawList& draw) const {
+  const render::MeterReadings* readings = result();
+  if (!readings || !(sensor_size_ > 0)) return;
+  const auto& d = state.document();
+  const Placement& image = state.viewport.image;
+  const auto corners = render::sensor_corners(readings->point, sensor_size_);
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const auto ends = project_segment(d.camera, {d.width, d.height}, corners[i], corners[(i + 1) % corners.size()]);
+    if (!ends) continue;
+    const auto on_screen = [&](Vec2 raster) {
+      const Vec2 at = image.corner + raster * image.size / Vec2(d.width, d.height);
+      return ImVec2(at.x, at.y);
+    };
+    draw.AddLine(on_screen((*ends)[0]), on_screen((*ends)[1]), IM_COL32(0, 0, 0, 170), 3.5f);
+    draw.AddLine(on_screen((*ends)[0]), on_screen((*ends)[1]), IM_COL32(255, 220, 80, 255), 1.5f);
+  }
 }
 
 nlohmann::json LightMeter::report(uint64_t document_version) const {
@@ -143,6 +170,7 @@ nlohmann::json LightMeter::report(uint64_t document_version) const {
                         {"radiance", to_json(readings->radiance)},
                         {"irradiance", to_json(readings->irradiance)}};
   if (spectrum()) report["lumens_per_watt"] = spectrum()->luminous_efficacy();
+  if (readings->received_flux) report["received_flux"] = to_json(*readings->received_flux);
   return report;
 }
 

@@ -23,7 +23,16 @@ class LightMeter final : public Task {
                               "Spectrum assumed when converting lumens to watts. RGB values do not determine it"};
     Toggle spectrum{"meter.spectrum", "Spectrum", true,
                     "Also measures the spectral radiance with spectral paths, and the luminous efficacy that follows"};
-    auto all() { return std::tie(efficacy, spectrum); }
+    Number<float> sensor{
+        "meter.sensor",
+        "Sensor size",
+        0,
+        {0, 1e6f},
+        "Side of a square sensor at the point, drawn in the image, that measures the received flux. 0: "
+        "no sensor",
+        "m",
+        Scale::logarithmic};
+    auto all() { return std::tie(efficacy, spectrum, sensor); }
   };
   Parameters parameters;
 
@@ -40,7 +49,7 @@ class LightMeter final : public Task {
   const render::MeterReadings* result() const { return task_.result() ? &task_.result()->readings : nullptr; }
   // Whether the result has all samples and belongs to the current document.
   bool is_complete(uint64_t document_version) const {
-    return result() && !task_.running() && version_ == document_version;
+    return result() && !task_.running() && version_ == document_version && sensor_size_ == parameters.sensor;
   }
 
   // Null if there is none yet, or if the scene cannot be rendered with spectra.
@@ -55,9 +64,12 @@ class LightMeter final : public Task {
   nlohmann::json report(uint64_t document_version) const;
 
  private:
+  void draw_sensor(const AppState& state, ImDrawList& draw) const;
+
   std::optional<Vec2> raster_;
-  uint64_t version_ = 0;  // of the document that is measured
+  uint64_t version_ = 0;        // of the document that is measured
   bool with_spectrum_ = false;  // of the measurement
+  float sensor_size_ = 0;       // of the measurement
   struct Measurement {
     render::MeterReadings readings;
     std::optional<render::MeasuredSpectrum> spectrum;  // of the radiance

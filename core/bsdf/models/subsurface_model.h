@@ -2,7 +2,7 @@
 //
 //   S = A R(|x_o - x_i|) / pi
 //
-// diffusion_profile.h defines R. Light enters and leaves diffusely. Where it enters is sampled by rays through the
+// normalized_diffusion.h defines R. Light enters and leaves diffusely. Where it enters is sampled by rays through the
 // body (transport/wavefront/subsurface_scattering.h).
 //
 //   Parameters   albedo: diffuse reflectance A, multiplied by the base colour; mean-free-path: average distance between
@@ -16,6 +16,7 @@
 //                alternative.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
+#include "bsdf/diffusion/diffusion_profiles.h"
 #include "bsdf/lobes/lambert.h"
 
 namespace etendue {
@@ -86,8 +87,10 @@ struct SubsurfaceModel {
     return presets;
   }
 
-  // In metres.
-  Rgb mean_free_path() const { return rgb_of(mean_free_path_mm) * (1e-3f * scale); }
+  Subsurface subsurface() const {
+    return {.profile = profile_index<NormalizedDiffusion>(),
+            .mean_free_path = rgb_of(mean_free_path_mm) * (1e-3f * scale)};
+  }
 
   template <class LobeSet>
   void add_lobes(const Rgb& base, LobeSet& lobes) const {

@@ -16,7 +16,8 @@
 //   Bias          none; Russian roulette on the throughput
 //   Cost          rays grow with the square of the path length; two subpaths and one image besides the film
 //   Limitations   Caustics seen in mirrors or through glass are found only if a subpath happens to hit the light or the
-//                 lens, and never for point lights. Inefficient if the lights are far from the visible surfaces.
+//                 lens, and never for point lights. Inefficient if the lights are far from the visible surfaces. Light
+//                 of media that emit is found by camera subpaths only.
 #include "integrator/bdpt/bidirectional_sampler.h"
 #include "integrator/bdpt/techniques.h"
 #include "integrator/integrator_base.h"
@@ -43,11 +44,14 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .cost = "rays grow with the square of the path length; two subpaths and one image besides the film",
         .limitations =
             "Caustics seen in mirrors or through glass are found only if a subpath happens to hit the light or the "
-            "lens, and never for point lights. Inefficient if the lights are far from the visible surfaces.",
+            "lens, and never for point lights. Inefficient if the lights are far from the visible surfaces. Light of "
+            "media that emit is found by camera subpaths only.",
         .accumulation = Accumulation::with_splats,
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
         .scattering_media = true,
+        .ignores_portals = true,
+        .emitting_media = true,
     };
   }
 

@@ -119,13 +119,22 @@ class BidirectionalSampler {
 
   // ---- Subpaths from the camera.
 
+  struct MediumTechniques {
+    const BidirectionalSubpaths<M>* subpaths;
+    transport::TechniqueWeight emission(int path) const { return subpaths->medium_technique(path, 0); }
+    transport::TechniqueWeight light_sample(int path) const { return subpaths->medium_technique(path, 1); }
+  };
+
   // Traces the launched subpaths.
   void trace_camera_subpaths() {
     connection_rays_ = 0;
     subpaths_.start_camera();
+    transport::MediumLight<M, MediumTechniques> media(subpaths_.camera, options_->heuristic, {&subpaths_});
     while (subpaths_.camera.trace()) {
+      media.add_emission_of_misses();
       transport::add_environment_weighted(subpaths_.camera, [&](int i) { return subpaths_.environment_weight(i); });
       while (subpaths_.camera.next_hits()) {
+        media.add_emission_before_hits();
         subpaths_.add_camera_hits();
         transport::add_emission_weighted(subpaths_.camera, [&](int i) { return subpaths_.emission_weight(i); });
         if (options_->too_long(subpaths_.camera.length() + 1)) continue;
@@ -137,6 +146,7 @@ class BidirectionalSampler {
             [&](int i) {
               return subpaths_.contributes(subpaths_.camera.path_at(i), 1, subpaths_.camera.length() + 1);
             });
+        media.add_light_samples();
         connect_vertices();
         transport::sample_bsdf_where(
             subpaths_.camera, options_->roulette_start, TransportMode::radiance,

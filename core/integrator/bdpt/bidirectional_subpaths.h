@@ -7,6 +7,7 @@
 #include "transport/mis/mis.h"
 #include "transport/mis/mis_chain.h"
 #include "transport/path_expression/class_join.h"
+#include "transport/wavefront/medium_light.h"
 
 namespace etendue::integrator {
 
@@ -235,6 +236,15 @@ class BidirectionalSubpaths {
     }
     const MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule(), camera.survival(path));
     return weight(path, 0, t, 0, camera_sum(path, at_infinity, t - 1, d.first, d.second, 0));
+  }
+
+  // Light of media is found by camera subpaths only: on their last segment (s = 0), or by a direction sample at the
+  // current vertices (s = 1).
+  transport::TechniqueWeight medium_technique(int path, int s) const {
+    const int t = camera.length() + 1;
+    if (options_->too_long(camera.length() + s) || !contributes(path, s, t)) return {0, false};
+    return {options_->reuse ? 1 : inverse_probability_[static_cast<size_t>(path)],
+            options_->apply_mis && is_enabled(1 - s, s == 0 ? t - 1 : t + 1)};
   }
 
   // A light sample: s = 1. The weight is divided by the density of the sample.

@@ -36,6 +36,7 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
         .accumulation = Accumulation::splats_only,
         .shortcut = '5',
         .scattering_media = true,
+        .ignores_portals = true,
     };
   }
 

@@ -34,6 +34,7 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
             "Noise grows with the inverse of the lens area. Pinhole and orthographic cameras receive no light.",
         .accumulation = Accumulation::splats_only,
         .scattering_media = true,
+        .ignores_portals = true,
     };
   }
 

@@ -44,6 +44,7 @@ class Mlt final : public IntegratorBase<Mlt> {
             "found.",
         .accumulation = Accumulation::splats_only,
         .shortcut = '7',
+        .ignores_portals = true,
     };
   }
 

@@ -44,7 +44,7 @@ class Appel final : public CameraPathIntegrator<Appel> {
       add_environment(paths);
       while (paths.next_hits()) {
         add_emission(paths);
-        if (!at_max_depth(paths.length())) add_direct_light(paths, lights, {});
+        if (!at_max_depth(paths.length())) add_direct_light(paths, lights.value, {});
       }
     }
   }

@@ -16,6 +16,7 @@
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/branching_paths.h"
+#include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
@@ -38,6 +39,8 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
             "The number of rays grows exponentially with the depth of branching, and the deepest contribute least. "
             "Caustics of small lights are noisy, as in path tracing. Point lights behind glass are never found.",
         .scattering_media = kScatteringMedia,
+        .heterogeneous_media = true,
+        .emitting_media = true,
         .subsurface = true,
     };
   }
@@ -89,14 +92,19 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination) const {
     using namespace transport;
     auto& tree = BranchingPaths<M>::on(paths);
+    const auto sampling = LightSampling::compensated(lights);
+    MediumLight<M> media(paths, combination);
     while (tree.trace()) {
       const int branches = branches_at(paths.length());
-      add_environment(paths, combination, lights);
+      add_environment(paths, combination, sampling);
+      media.add_emission_of_misses();
       while (paths.next_hits()) {
-        add_emission(paths, combination, lights);
+        media.add_emission_before_hits();
+        add_emission(paths, combination, sampling);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);
-        if (shadow_rays) add_direct_light(paths, lights, combination, Shadows::cast, static_cast<float>(branches));
+        if (shadow_rays) add_direct_light(paths, sampling, combination, Shadows::cast, static_cast<float>(branches));
+        if (shadow_rays) media.add_light_samples(static_cast<float>(branches));
         tree.branch(branches, roulette_start);
       }
     }

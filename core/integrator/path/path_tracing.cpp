@@ -16,6 +16,7 @@
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/equiangular_light.h"
+#include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
@@ -67,13 +68,18 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
     using namespace transport;
     if constexpr (M::kScattering)
       if (equiangular) return estimate_with_equiangular_light(paths);
+    const auto sampling = LightSampling::compensated(lights);
+    MediumLight<M> media(paths, Combination(heuristic));
     while (paths.trace()) {
-      add_environment(paths, heuristic, lights);
+      add_environment(paths, heuristic, sampling);
+      media.add_emission_of_misses();
       while (paths.next_hits()) {
-        add_emission(paths, heuristic, lights);
+        media.add_emission_before_hits();
+        add_emission(paths, heuristic, sampling);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);
-        add_direct_light(paths, lights, heuristic);
+        add_direct_light(paths, sampling, heuristic);
+        media.add_light_samples();
         sample_bsdf(paths, roulette_start);
       }
     }
@@ -83,18 +89,23 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
   template <class M>
   void estimate_with_equiangular_light(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    EquiangularLight<M> segments(paths, lights, heuristic);
+    const auto sampling = LightSampling::compensated(lights);
+    EquiangularLight<M> segments(paths, sampling, heuristic);
+    MediumLight<M> media(paths, Combination(heuristic));
     while (paths.trace()) {
-      add_environment(paths, heuristic, lights);
+      add_environment(paths, heuristic, sampling);
+      media.add_emission_of_misses();
       if (!at_max_depth(paths.length())) segments.add_light_of_misses();
       while (paths.next_hits()) {
-        add_emission(paths, heuristic, lights);
+        media.add_emission_before_hits();
+        add_emission(paths, heuristic, sampling);
         if (at_max_depth(paths.length())) continue;
         segments.add_light_before_hits();
         scatter_below_surface(paths);
-        add_direct_light(paths, lights, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
+        add_direct_light(paths, sampling, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
           return segments.weight_of_light_sample(hit, light);
         });
+        media.add_light_samples();
         sample_bsdf(paths, roulette_start);
       }
     }

@@ -13,6 +13,7 @@
 //                 Point, spot and directional lights are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
@@ -40,6 +41,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .heterogeneous_media = true,
         .emitting_media = true,
         .subsurface = true,
+        .ignores_portals = true,
         .spectral = kSpectral,
     };
   }
@@ -59,9 +61,12 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
+    MediumLight<M> media(paths, Combination());
     while (paths.trace()) {
       add_environment(paths);
+      media.add_emission_of_misses();
       while (paths.next_hits()) {
+        media.add_emission_before_hits();
         add_emission(paths);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);

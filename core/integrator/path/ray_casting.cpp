@@ -53,7 +53,7 @@ class RayCasting final : public CameraPathIntegrator<RayCasting> {
     add_environment(paths);
     while (paths.next_hits()) {
       add_emission(paths);
-      if (local && !at_max_depth(1)) add_direct_light(paths, lights, {}, Shadows::ignored);
+      if (local && !at_max_depth(1)) add_direct_light(paths, lights.value, {}, Shadows::ignored);
     }
   }
 };

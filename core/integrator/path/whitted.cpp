@@ -68,7 +68,7 @@ class Whitted final : public CameraPathIntegrator<Whitted> {
       while (paths.next_hits()) {
         add_emission(paths);
         if (at_max_depth(paths.length())) continue;
-        add_direct_light(paths, lights, {});
+        add_direct_light(paths, lights.value, {});
         branches.follow_deltas(0, 0, above_cutoff);
       }
     }

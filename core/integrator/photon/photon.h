@@ -1,7 +1,7 @@
 // A stored photon in 32 bytes.                                                    [Lang, sec. 9.5; Cigolle et al. 2014]
 //
-// Position and power have full precision. The normal has 30 bits, beside the axis of the tree; the direction has 20
-// bits, beside the length of its path and the state of its path class.
+// Position and power have full precision. The normal has 30 bits; the direction has 20 bits, beside the length of its
+// path and the state of its path class.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -30,15 +30,18 @@ inline uint32_t pack_direction(const Vec3& v, int bits) {
 // Packs many directions; arrays are padded to whole registers.
 void pack_directions(const Vec3LanesView& v, size_t count, int bits, uint32_t* packed);
 
-// Not normalised.
+// Not normalised. Signed integers, because vector instructions convert only those.
 inline Vec3 unfold_direction(uint32_t packed, int bits) {
   const uint32_t mask = (1U << bits) - 1;
   const float scale = 2 / static_cast<float>(mask);
-  Vec3 v(static_cast<float>(packed >> bits & mask) * scale - 1, static_cast<float>(packed & mask) * scale - 1, 0);
+  const auto coordinate = [&](uint32_t bits_of_it) {
+    return static_cast<float>(static_cast<int32_t>(bits_of_it & mask)) * scale - 1;
+  };
+  Vec3 v(coordinate(packed >> bits), coordinate(packed), 0);
   v.z = 1 - std::abs(v.x) - std::abs(v.y);
   const float fold = std::max(-v.z, 0.0f);
-  v.x += v.x < 0 ? fold : -fold;
-  v.y += v.y < 0 ? fold : -fold;
+  v.x += select(v.x < 0, fold, -fold);
+  v.y += select(v.y < 0, fold, -fold);
   return v;
 }
 inline Vec3 unpack_direction(uint32_t packed, int bits) { return glm::normalize(unfold_direction(packed, bits)); }
@@ -58,27 +61,28 @@ class Photon {
   // The same with packed direction and normal.
   Photon(const Vec3& position, uint32_t direction, uint32_t normal, const Rgb& power, int length, uint8_t state)
       : position_(position),
-        normal_(normal << 2),
+        normal_(normal),
         power_(power),
         packed_(direction << 12 | static_cast<uint32_t>(std::min(length, kMaxLength)) << 6 | state) {}
+
+  // The stored values.
+  struct Packed {
+    Vec3 position;
+    uint32_t normal;
+    Rgb power;
+    uint32_t rest;
+  };
+  explicit Photon(const Packed& p) : position_(p.position), normal_(p.normal), power_(p.power), packed_(p.rest) {}
+  uint32_t packed_normal() const { return normal_; }
+  uint32_t packed_rest() const { return packed_; }
 
   const Vec3& position() const { return position_; }
   const Rgb& power() const { return power_; }  // watts; in volumes: watts times metres (photon_paths.h)
   void scale_power(float factor) { power_ *= factor; }
-  Vec3 normal() const { return unpack_direction(normal_ >> 2, kNormalBits); }
-  // Whether the angle between its surface normal and a unit vector is less than 60 degrees.
-  bool faces(const Vec3& other) const {
-    const Vec3 n = unfold_direction(normal_ >> 2, kNormalBits);
-    const float cosine = glm::dot(n, other);
-    return cosine > 0 && sqr(cosine) > 0.25f * glm::dot(n, n);
-  }
+  Vec3 normal() const { return unpack_direction(normal_, kNormalBits); }
   Vec3 direction() const { return unpack_direction(packed_ >> 12, kDirectionBits); }
   int length() const { return static_cast<int>(packed_ >> 6 & 63); }
   uint8_t state() const { return packed_ & 63; }
-
-  // The axis of its splitting plane.
-  int axis() const { return static_cast<int>(normal_ & 3); }
-  void set_axis(int axis) { normal_ = (normal_ & ~3U) | static_cast<uint32_t>(axis); }
 
  private:
   Vec3 position_{0};

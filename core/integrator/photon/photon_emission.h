@@ -77,7 +77,7 @@ class PhotonEmission {
     is_collected_ = true;
   }
   void begin_map(photon::PhotonMap& map, std::vector<photon::Photon> StoredPhotons::*kind) {
-    std::vector<photon::Photon> all = map.take_memory();
+    std::vector<photon::Photon> all;
     size_t count = 0;
     for (const StoredPhotons& stored : photons_by_task_) count += (stored.*kind).size();
     all.reserve(count);

@@ -1,39 +1,36 @@
 #include "integrator/photon/photon_map.h"
 
-#include <bit>
+#include <algorithm>
 #include <utility>
 
 namespace etendue::photon {
 namespace {
 
-// The number of photons in the left subtree of a tree of `count` photons with all levels but the last full.
-size_t left_size(size_t count) {
-  if (count <= 1) return 0;
-  const size_t filled = std::bit_floor(count + 1) - 1;  // in the complete levels
-  const size_t half = (filled - 1) / 2, last = count - filled, capacity = (filled + 1) / 2;
-  return half + std::min(last, capacity);
+// The number of leaves in the left subtree of a tree with all levels but the last full.
+size_t leaves_on_the_left(size_t leaves) {
+  const size_t full = std::bit_floor(leaves);  // leaves without the last level
+  return full / 2 + std::min(leaves - full, full / 2);
 }
 
-// Orders a heap with the farthest neighbour first.
-bool nearer(const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; }
+size_t leaves_of(size_t photons) { return (photons + PhotonBlock::kSize - 1) / PhotonBlock::kSize; }
 
-// Replaces the farthest neighbour in the heap.
-void replace_first(std::vector<Neighbour>& heap, const Neighbour& neighbour) {
-  size_t slot = 0;
-  for (size_t child = 1; child < heap.size(); child = 2 * slot + 1) {
-    if (child + 1 < heap.size() && nearer(heap[child], heap[child + 1])) ++child;
-    if (!nearer(neighbour, heap[child])) break;
-    heap[slot] = heap[child];
-    slot = child;
-  }
-  heap[slot] = neighbour;
+// Moves the nearest `count` neighbours to the front; returns the squared distance of the farthest of them, which becomes
+// the last.
+float keep_nearest(std::span<Neighbour> found, size_t count) {
+  const auto last = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(found.begin(), last, found.end(),
+                   [](const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; });
+  return last->distance2;
 }
 
 }  // namespace
 
 void PhotonMap::begin(std::vector<Photon> photons) {
   source_ = std::move(photons);
-  tree_.resize(source_.empty() ? 0 : source_.size() + 1);
+  size_ = source_.size();
+  const size_t leaves = leaves_of(size_);
+  blocks_.assign(leaves, {});
+  planes_.resize(leaves);
   pieces_.clear();
   if (source_.empty()) return;
   Corners box{source_[0].position(), source_[0].position()};
@@ -41,31 +38,34 @@ void PhotonMap::begin(std::vector<Photon> photons) {
     box[0] = glm::min(box[0], p.position());
     box[1] = glm::max(box[1], p.position());
   }
-  build_below({1, 0, source_.size(), box}, std::bit_width(unsigned{kPieces}) - 1U);
+  build_below({1, 0, source_.size(), box}, std::bit_width(unsigned{kPieces}) - 1);
 }
 
-// Stores the median along the longest axis as a node; the other photons are partitioned around it.
-size_t PhotonMap::split(const Piece& piece, Corners& left, Corners& right) {
+// Divides the photons between full leaves at the longest axis.
+void PhotonMap::split(const Piece& piece, Piece& left, Piece& right) {
   const Vec3 size = piece.box[1] - piece.box[0];
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const size_t median = piece.first + left_size(piece.last - piece.first);
+  const size_t middle = piece.first + leaves_on_the_left(leaves_of(piece.last - piece.first)) * PhotonBlock::kSize;
   const auto at = [&](size_t i) { return source_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(piece.first), at(median), at(piece.last),
+  std::nth_element(at(piece.first), at(middle), at(piece.last),
                    [axis](const Photon& a, const Photon& b) { return a.position()[axis] < b.position()[axis]; });
-  Photon& photon = tree_[piece.node] = source_[median];
-  photon.set_axis(axis);
-  left = right = piece.box;
-  left[1][axis] = right[0][axis] = photon.position()[axis];
-  return median;
+  const float plane = source_[middle].position()[axis];
+  planes_[piece.node] = {plane, static_cast<uint32_t>(axis)};
+  left = {2 * piece.node, piece.first, middle, piece.box};
+  right = {2 * piece.node + 1, middle, piece.last, piece.box};
+  left.box[1][axis] = right.box[0][axis] = plane;
 }
 
-void PhotonMap::build_below(const Piece& piece, size_t levels) {
-  if (piece.first == piece.last) return;
+void PhotonMap::fill_leaf(const Piece& piece) {
+  PhotonBlock& block = blocks_[leaf_number(piece.node)];
+  for (size_t i = piece.first; i < piece.last; ++i) block.set(i - piece.first, source_[i]);
+}
+
+void PhotonMap::build_below(const Piece& piece, int levels) {
+  if (piece.node >= blocks_.size()) return fill_leaf(piece);
   if (levels == 0) return pieces_.push_back(piece);
-  Piece left{2 * piece.node, piece.first, 0, {}}, right{2 * piece.node + 1, 0, piece.last, {}};
-  const size_t median = split(piece, left.box, right.box);
-  left.last = median;
-  right.first = median + 1;
+  Piece left, right;
+  split(piece, left, right);
   build_below(left, levels - 1);
   build_below(right, levels - 1);
 }
@@ -86,51 +86,56 @@ void PhotonMap::build(std::vector<Photon> photons) {
   end();
 }
 
-std::vector<Photon> PhotonMap::take_memory() {
-  tree_.clear();
-  return std::exchange(tree_, {});
+std::vector<Photon> PhotonMap::photons() const {
+  std::vector<Photon> all;
+  all.reserve(size_);
+  for (size_t i = 0; i < size_; ++i) all.push_back((*this)[i]);
+  return all;
 }
 
-template <class Selected>
-Neighbourhood PhotonMap::nearest_selected(const Vec3& position, size_t count, float max_distance2,
-                                          const Selected& is_selected, std::vector<Neighbour>& found) const {
-  found.clear();
+// Candidates are collected until there are twice as many as wanted; the nearest half of them then bounds the search.
+template <class Find>
+Neighbourhood PhotonMap::nearest_by(const Vec3& position, size_t count, float max_distance2, const Find& find,
+                                    std::vector<Neighbour>& found) const {
+  const size_t full = std::min(2 * count, size_ + 1);
+  if (found.size() < full + PhotonBlock::kSize) found.resize(full + PhotonBlock::kSize);
   float radius2 = max_distance2;
-  search(
-      position,
-      [&](const Photon& photon, const Vec3& d, float distance2) {
-        if (!(distance2 < radius2) || !is_selected(photon, d, distance2)) return radius2;
-        const Neighbour neighbour{distance2, static_cast<uint32_t>(&photon - &tree_[1])};
-        if (found.size() < count) {
-          found.push_back(neighbour);
-          if (found.size() < count) return radius2;
-          std::make_heap(found.begin(), found.end(), nearer);
-        } else {
-          replace_first(found, neighbour);
-        }
-        return radius2 = found.front().distance2;
-      },
-      radius2);
-  if (found.size() < count && std::isfinite(max_distance2)) return {found, max_distance2};
-  if (found.empty()) return {};
-  if (found.size() < count) std::iter_swap(found.begin(), std::max_element(found.begin(), found.end(), nearer));
-  return {std::span(found).subspan(1), found.front().distance2};
+  size_t n = 0;
+  search(position, radius2, [&](size_t leaf) {
+    BlockDistances distances2;
+    find(blocks_[leaf], distances2);
+    for (size_t i = 0; i < PhotonBlock::kSize; ++i) {
+      found[n] = {distances2[i], static_cast<uint32_t>(leaf * PhotonBlock::kSize + i)};
+      n += distances2[i] < radius2 ? 1 : 0;  // without a branch, which would be unpredictable
+    }
+    if (n < full) return radius2;
+    radius2 = keep_nearest(std::span(found).first(n), count);
+    n = count;
+    return radius2;
+  });
+  const auto all = std::span(found).first(n);
+  if (n < count && std::isfinite(max_distance2)) return {all, max_distance2};
+  if (n == 0) return {};
+  const float radius = keep_nearest(all, std::min(count, n));
+  return {all.first(std::min(count, n) - 1), radius};
 }
 
 Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                                  std::vector<Neighbour>& found) const {
-  return nearest_selected(
+  return nearest_by(
       position, count, max_distance2,
-      [&](const Photon& photon, const Vec3& d, float distance2) {
-        return is_on_same_surface(photon, d, distance2, normal);
+      [&](const PhotonBlock& block, BlockDistances& distances2) {
+        find_distances_on_surface(block, position, normal, distances2);
       },
       found);
 }
 
 Neighbourhood PhotonMap::nearest_in_ball(const Vec3& position, size_t count, float max_distance2,
                                          std::vector<Neighbour>& found) const {
-  return nearest_selected(
-      position, count, max_distance2, [](auto&&...) { return true; }, found);
+  return nearest_by(
+      position, count, max_distance2,
+      [&](const PhotonBlock& block, BlockDistances& distances2) { find_distances(block, position, distances2); },
+      found);
 }
 
 }  // namespace etendue::photon

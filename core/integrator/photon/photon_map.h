@@ -1,16 +1,18 @@
-// A balanced kd-tree of photons.                                                [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
+// A balanced kd-tree with photons in its leaves.                                [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
 //
-// The tree is stored without pointers: the children of photon i are photons 2i and 2i + 1, so that all levels but the
-// last are full. Splitting planes go through the median photon, perpendicular to the longest axis of the bounding box.
-// n photons make ceil(log2(n + 1)) levels.
+// Leaves are blocks of sixteen photons (photon_block.h), all full but the last one. The tree is stored without pointers:
+// the children of node i are nodes 2i and 2i + 1, so that all levels but the last are full. Splitting planes are
+// perpendicular to the longest axis of the bounding box. Lookups visit the nearer half first, and leaf by leaf test
+// sixteen photons at once.
 //
 // The upper levels are built first; the subtrees below them are then built in parallel.
 #pragma once
 #include <array>
+#include <bit>
 #include <span>
 #include <vector>
 
-#include "integrator/photon/photon.h"
+#include "integrator/photon/photon_block.h"
 
 namespace etendue::photon {
 
@@ -38,18 +40,21 @@ class PhotonMap {
   // Builds the whole tree.
   void build(std::vector<Photon> photons);
 
-  size_t size() const { return tree_.empty() ? 0 : tree_.size() - 1; }
-  // Photon 0 is the root.
-  const Photon& operator[](size_t i) const { return tree_[i + 1]; }
-  std::span<const Photon> photons() const { return std::span(tree_).subspan(tree_.empty() ? 0 : 1); }
-  size_t memory() const { return (tree_.capacity() + source_.capacity()) * sizeof(Photon); }
-  // Empties the map and returns its memory for reuse.
-  std::vector<Photon> take_memory();
+  size_t size() const { return size_; }
+  // Photons are numbered by leaf.
+  Photon operator[](size_t i) const { return blocks_[i / PhotonBlock::kSize][i % PhotonBlock::kSize]; }
+  std::vector<Photon> photons() const;
+  // The levels of the tree above the leaves.
+  int height() const { return blocks_.empty() ? 0 : std::bit_width(blocks_.size() - 1); }
+  size_t memory() const {
+    return source_.capacity() * sizeof(Photon) + blocks_.capacity() * sizeof(PhotonBlock) +
+           planes_.capacity() * sizeof(Plane);
+  }
 
-  // The nearest `count` photons (at least one) that lie on the same surface (is_on_same_surface) at no more than the
-  // root of `max_distance2`. The disc ends at the farthest of them, which is excluded: including it would overestimate
-  // the density by N / (N - 1). If there are fewer photons, the disc has the maximum radius, or ends at the farthest if
-  // that is infinite. `found` is a buffer.
+  // The nearest `count` photons (at least one) that lie on the same surface (find_distances_on_surface) at no more than
+  // the root of `max_distance2`. The disc ends at the farthest of them, which is excluded: including it would
+  // overestimate the density by N / (N - 1). If there are fewer photons, the disc has the maximum radius, or ends at the
+  // farthest if that is infinite. `found` is a buffer.
   Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                         std::vector<Neighbour>& found) const;
 
@@ -60,88 +65,106 @@ class PhotonMap {
   // Calls `visit(photon, distance2)` for every photon within the radius that lies on the same surface.
   template <class Visit>
   void for_each_within(const Vec3& position, const Vec3& normal, float radius2, Visit&& visit) const {
-    search(
-        position,
-        [&](const Photon& photon, const Vec3& d, float distance2) {
-          if (distance2 < radius2 && is_on_same_surface(photon, d, distance2, normal)) visit(photon, distance2);
-          return radius2;
+    for_each_by(
+        position, radius2,
+        [&](const PhotonBlock& block, BlockDistances& distances2) {
+          find_distances_on_surface(block, position, normal, distances2);
         },
-        radius2);
+        visit);
   }
   // The same for every photon within the radius.
   template <class Visit>
   void for_each_in_ball(const Vec3& position, float radius2, Visit&& visit) const {
-    search(
-        position,
-        [&](const Photon& photon, const Vec3&, float distance2) {
-          if (distance2 < radius2) visit(photon, distance2);
-          return radius2;
-        },
-        radius2);
+    for_each_by(
+        position, radius2,
+        [&](const PhotonBlock& block, BlockDistances& distances2) { find_distances(block, position, distances2); },
+        visit);
   }
 
  private:
   using Corners = std::array<Vec3, 2>;
   struct Piece {
-    size_t node = 0, first = 0, last = 0;
+    size_t node = 1, first = 0, last = 0;  // photons of `source_`
     Corners box;
   };
+  struct Plane {
+    float position = 0;
+    uint32_t axis = 0;
+  };
 
-  // Whether a photon at the offset d can lie on the same surface: its normal is less than 60 degrees away, and it is
-  // less than 30 degrees above or below the tangent plane. This excludes photons beyond edges and on the other side of
-  // thin walls. On curved surfaces the criterion becomes exact as the disc shrinks.
-  static bool is_on_same_surface(const Photon& photon, const Vec3& d, float distance2, const Vec3& normal) {
-    return sqr(glm::dot(d, normal)) <= 0.25f * distance2 && photon.faces(normal);
-  }
+  // The nearest photons; find(block, distances2) computes the distances of those that count.
+  template <class Find>
+  Neighbourhood nearest_by(const Vec3& position, size_t count, float max_distance2, const Find& find,
+                           std::vector<Neighbour>& found) const;
+  template <class Find, class Visit>
+  void for_each_by(const Vec3& position, float radius2, const Find& find, Visit&& visit) const;
 
-  // The nearest photons among those with is_selected(photon, offset, distance2); see `nearest`.
-  template <class Selected>
-  Neighbourhood nearest_selected(const Vec3& position, size_t count, float max_distance2, const Selected& is_selected,
-                                 std::vector<Neighbour>& found) const;
-
-  // Calls `visit(photon, offset, distance2)` for every photon in cells that overlap the sphere; it returns the squared
-  // radius of the sphere from there on.
+  // Calls `visit(number)` for every leaf that overlaps the ball, nearer ones first; it returns the squared radius of the
+  // ball from there on.
   template <class Visit>
-  void search(const Vec3& position, Visit&& visit, float radius2) const;
+  void search(const Vec3& position, float radius2, Visit&& visit) const;
 
-  size_t split(const Piece& piece, Corners& left, Corners& right);
-  void build_below(const Piece& piece, size_t levels);
+  // Nodes 1 to n - 1 of a tree with n leaves are split, nodes n to 2n - 1 are leaves; those of the last level are first
+  // from left to right.
+  size_t leaf_number(size_t node) const {
+    const size_t leaves = blocks_.size(), last_level = std::bit_ceil(leaves);
+    return node >= last_level ? node - last_level : node + leaves - last_level;
+  }
+  void split(const Piece& piece, Piece& left, Piece& right);
+  void fill_leaf(const Piece& piece);
+  void build_below(const Piece& piece, int levels);
 
-  std::vector<Photon> source_, tree_;  // the root is tree_[1]
+  std::vector<Photon> source_;
+  std::vector<Plane> planes_;  // by node; planes_[0] is unused
+  std::vector<PhotonBlock> blocks_;
   std::vector<Piece> pieces_;
+  size_t size_ = 0;
 };
 
 template <class Visit>
-void PhotonMap::search(const Vec3& position, Visit&& visit, float radius2) const {
+void PhotonMap::search(const Vec3& position, float radius2, Visit&& visit) const {
+  // A part of the tree that is still to be visited, and the distance to its box along each axis.
   struct Pending {
     size_t node;
-    float distance2;  // to its splitting plane
+    float distance2;  // at most that of its photons
+    Vec3 offsets;
   };
   std::array<Pending, 48> pending;
+  constexpr float kBelowRounding = 1 - 1e-5f;
+  if (blocks_.empty()) return;
+  const size_t leaves = blocks_.size();
   size_t count = 0;
-  const size_t end = tree_.size();
-  for (size_t node = 1;;) {
-    while (node < end) {
-      const Photon& photon = tree_[node];
-      const int axis = photon.axis();
-      const float offset = position[axis] - photon.position()[axis];
-      const bool right = offset > 0;
-      if (sqr(offset) < radius2) pending[count++] = {node, sqr(offset)};
-      node = 2 * node + (right ? 1 : 0);
+  Pending here{1, 0, Vec3(0)};
+  while (true) {
+    while (here.node < leaves) {
+      const Plane& plane = planes_[here.node];
+      const auto axis = static_cast<int>(plane.axis);
+      const float offset = position[axis] - plane.position;
+      const size_t near = 2 * here.node + (offset > 0 ? 1 : 0);
+      Pending far{near ^ 1, 0, here.offsets};
+      far.offsets[axis] = offset;
+      far.distance2 = kBelowRounding * glm::dot(far.offsets, far.offsets);
+      if (far.distance2 < radius2) pending[count++] = far;
+      here.node = near;
     }
-    while (true) {
+    radius2 = visit(leaf_number(here.node));
+    do {
       if (count == 0) return;
-      const Pending next = pending[--count];
-      if (!(next.distance2 < radius2)) continue;
-      const Photon& photon = tree_[next.node];
-      const Vec3 d = photon.position() - position;
-      radius2 = visit(photon, d, glm::dot(d, d));
-      if (!(next.distance2 < radius2)) continue;
-      const int axis = photon.axis();
-      node = 2 * next.node + (position[axis] - photon.position()[axis] > 0 ? 0 : 1);
-      break;
-    }
+      here = pending[--count];
+    } while (!(here.distance2 < radius2));
   }
+}
+
+template <class Find, class Visit>
+void PhotonMap::for_each_by(const Vec3& position, float radius2, const Find& find, Visit&& visit) const {
+  search(position, radius2, [&](size_t leaf) {
+    const PhotonBlock& block = blocks_[leaf];
+    BlockDistances distances2;
+    find(block, distances2);
+    for (size_t i = 0; i < PhotonBlock::kSize; ++i)
+      if (distances2[i] < radius2) visit(block[i], distances2[i]);
+    return radius2;
+  });
 }
 
 }  // namespace etendue::photon

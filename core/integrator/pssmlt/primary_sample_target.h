@@ -76,12 +76,13 @@ class PrimarySampleTarget {
   template <class M>
   static void estimate(const BidirectionalOptions& options, transport::PathWavefront<M>& paths) {
     using namespace transport;
+    const auto sampling = LightSampling::compensated(LightStrategy::automatic);
     while (paths.trace()) {
-      add_environment(paths, options.heuristic);
+      add_environment(paths, options.heuristic, sampling);
       while (paths.next_hits()) {
-        add_emission(paths, options.heuristic);
+        add_emission(paths, options.heuristic, sampling);
         if (options.too_long(paths.length() + 1)) continue;
-        add_direct_light(paths, LightStrategy::automatic, options.heuristic);
+        add_direct_light(paths, sampling, options.heuristic);
         sample_bsdf(paths, options.roulette_start);
       }
     }

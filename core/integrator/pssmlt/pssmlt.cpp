@@ -54,6 +54,7 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
             "bright paths.",
         .accumulation = Accumulation::splats_only,
         .scattering_media = true,
+        .ignores_portals = true,
     };
   }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <mutex>
 
+#include "light/environments/hosek_sky.h"
 #include "light/environments/map_of_radiance.h"
 #include "light/environments/overcast.h"
 #include "light/environments/sky.h"
@@ -14,7 +15,7 @@
 namespace etendue {
 namespace {
 
-constexpr BuiltinEnvironment kEnvironments[] = {kStudio, kOvercast, kSunset, kSky, kUniform};
+constexpr BuiltinEnvironment kEnvironments[] = {kStudio, kOvercast, kSunset, kSky, kHosekSky, kUniform};
 
 }  // namespace
 

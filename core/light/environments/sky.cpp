@@ -6,15 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "light/environments/hosek_model.h"
 #include "light/environments/map_of_radiance.h"
-#include "spectrum/blackbody.h"
+#include "light/environments/sky_color.h"
 
 namespace etendue {
 namespace {
 
 constexpr double kPiD = 3.14159265358979;
-constexpr double kSunTemperature = 5778;    // K
-constexpr double kSunIlluminance = 128000;  // lx above the atmosphere
 constexpr float kLimbDarkening = 0.6f;
 
 // A distribution over the sky: F = (1 + a exp(b / cos theta)) (1 + c exp(d gamma) + e cos^2 gamma), with the angles
@@ -43,12 +42,7 @@ constexpr double kZenithY[3][4] = {
     {0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
 
 Rgb rgb_of_xyy(double x, double y, double luminance) {
-  const double X = x / y * luminance;
-  const double Z = (1 - x - y) / y * luminance;
-  const auto clipped = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
-  return {clipped(3.2404542 * X - 1.5371385 * luminance - 0.4985314 * Z),
-          clipped(-0.9692660 * X + 1.8760108 * luminance + 0.0415560 * Z),
-          clipped(0.0556434 * X - 0.2040259 * luminance + 1.0572252 * Z)};
+  return rgb_of_sky(x / y * luminance, luminance, (1 - x - y) / y * luminance);
 }
 
 // The model for one position of the sun [Preetham et al. 1999, appendix A.2].
@@ -82,32 +76,6 @@ class PreethamSky {
   std::array<double, 3> scale_{};
 };
 
-// The absorption coefficient of ozone every 20 nm from 380 nm, 1/cm [Leckner 1978].
-constexpr double kOzone[] = {0,     0,     0,     0.003, 0.006, 0.014, 0.030, 0.048, 0.075, 0.103, 0.120,
-                             0.125, 0.105, 0.079, 0.057, 0.036, 0.023, 0.014, 0.010, 0.008, 0.007};
-
-double ozone_absorption(double wavelength) {
-  const double at = std::clamp((wavelength - 380) / 20, 0.0, static_cast<double>(std::size(kOzone) - 1) - 1e-9);
-  const auto i = static_cast<size_t>(at);
-  return kOzone[i] + (at - static_cast<double>(i)) * (kOzone[i + 1] - kOzone[i]);
-}
-
-// Of a path through the whole atmosphere; the wavelength in nm.
-double transmittance(double wavelength, double air_mass, double turbidity) {
-  constexpr double kOzoneThickness = 0.35;  // cm
-  const double micrometres = wavelength / 1000;
-  const double rayleigh = 0.008735 * std::pow(micrometres, -4.08);
-  const double aerosol = std::max(0.04608 * turbidity - 0.04586, 0.0) * std::pow(micrometres, -1.3);
-  return std::exp(-air_mass * (rayleigh + aerosol + kOzoneThickness * ozone_absorption(wavelength)));
-}
-
-// Relative to the zenith [Kasten 1966].
-double air_mass_of(double elevation) {
-  return 1 / (std::sin(elevation) + 0.15 * std::pow(elevation * 180 / kPiD + 3.885, -1.253));
-}
-
-double solid_angle_of_sun() { return 4 * kPiD * std::pow(std::sin(0.5 * static_cast<double>(kSunAngularRadius)), 2); }
-
 // Of the horizontal by the sky, lx, from the map with the rows above the horizon.
 Rgb illuminance_of(const image::Image& map) {
   Rgb sum(0);
@@ -123,13 +91,17 @@ Rgb illuminance_of(const image::Image& map) {
   return sum;
 }
 
+template <class Model>
+image::Image map_above_horizon(const Model& model) {
+  return *environment_map_of(
+      [&](const Vec3& direction) { return direction.y > 0 ? model.radiance(direction) : Rgb(0); });
+}
+
 std::shared_ptr<const image::Image> map_of(const Sky& sky) {
-  const PreethamSky model(sky);
-  auto map = std::make_shared<image::Image>(
-      *environment_map_of([&](const Vec3& direction) { return direction.y > 0 ? model.radiance(direction) : Rgb(0); }));
+  auto map = std::make_shared<image::Image>(sky.model == SkyModel::preetham ? map_above_horizon(PreethamSky(sky))
+                                                                            : map_above_horizon(HosekSky(sky)));
   Rgb illuminance = illuminance_of(*map);
-  if (sky.sun_disk)
-    illuminance += sun_radiance(sky) * (static_cast<float>(solid_angle_of_sun()) * std::sin(sky.sun_elevation));
+  if (sky.sun_disk) illuminance += sun_radiance(sky) * (solid_angle_of_sun() * std::sin(sky.sun_elevation));
   const Rgb ground = illuminance * (sky.ground_albedo * kInvPi);
   for (size_t at = map->floats.size() / 2; at < map->floats.size(); ++at)
     map->floats[at] = ground[static_cast<int>(at % 3)];
@@ -151,25 +123,14 @@ std::shared_ptr<const image::Image> shared_map_of(const Sky& sky) {
 
 }  // namespace
 
-Vec3 sun_direction(const Sky& sky) {
-  const float across = std::cos(sky.sun_elevation);
-  return {std::sin(sky.sun_azimuth) * across, std::sin(sky.sun_elevation), std::cos(sky.sun_azimuth) * across};
-}
-
-Rgb sky_radiance(const Sky& sky, const Vec3& direction) { return PreethamSky(sky).radiance(direction); }
-
-Rgb sun_radiance(const Sky& sky) {
-  const double air_mass = air_mass_of(std::max(static_cast<double>(sky.sun_elevation), 0.0));
-  const Rgb color = filtered_blackbody_color(kSunTemperature, [&](double wavelength) {
-    return transmittance(wavelength, air_mass, static_cast<double>(sky.turbidity));
-  });
-  return color * static_cast<float>(kSunIlluminance / solid_angle_of_sun());
+Rgb sky_radiance(const Sky& sky, const Vec3& direction) {
+  return sky.model == SkyModel::preetham ? PreethamSky(sky).radiance(direction) : HosekSky(sky).radiance(direction);
 }
 
 Environment make_sky(const Sky& sky) {
   Environment environment;
   environment.map = shared_map_of(sky);
-  environment.file = kSky.name;
+  environment.file = sky.model == SkyModel::preetham ? kSky.name : kHosekSkyName;
   environment.tint = Rgb(1);
   environment.sky = sky;
   if (sky.sun_disk)

@@ -11,18 +11,15 @@
 // the sun and too bright opposite to it. The ground does not brighten the sky.
 #pragma once
 #include "light/environments/builtin_environment.h"
+#include "light/environments/sun.h"
 
 namespace etendue {
 
-inline constexpr float kLeastTurbidity = 2, kLargestTurbidity = 10;
-inline constexpr float kSunAngularRadius = 0.5f * 0.533f * kPi / 180;  // radians
+inline constexpr float kLargestTurbidity = 10;
+constexpr float least_turbidity(SkyModel model) { return model == SkyModel::preetham ? 2 : 1; }
 
-// cd/m^2 above the horizon, from a unit direction, without the sun itself.
+// cd/m^2 above the horizon, from a unit direction, without the sun itself, of either model (hosek_model.h).
 Rgb sky_radiance(const Sky& sky, const Vec3& direction);
-// The mean radiance of the sun's disk behind the atmosphere, cd/m^2.
-Rgb sun_radiance(const Sky& sky);
-// The unit direction towards the sun.
-Vec3 sun_direction(const Sky& sky);
 
 // The environment with this sky. Equal skies in use share their map.
 Environment make_sky(const Sky& sky);

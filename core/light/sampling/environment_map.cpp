@@ -1,6 +1,7 @@
 #include "light/sampling/environment_map.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/fast_trigonometry.h"
 #include "base/warp.h"
@@ -18,14 +19,18 @@ float row_sine(const image::Image& map, int y) {
   return std::sin(kPi * (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));
 }
 
+}  // namespace
+
 // The rectangle between four texel centres, and a point in it. Columns wrap around; beyond the first and the last row
 // the patch repeats that row up to the pole.
-struct Patch {
+struct TexelPatch {
   int left, right, top, bottom;  // columns and rows of the texels
   float x, y;                    // in [0, 1)
 };
 
-Patch patch_of(const image::Image& map, int column, int row) {
+namespace {
+
+TexelPatch patch_of(const image::Image& map, int column, int row) {
   return {(column + map.width - 1) % map.width,
           column % map.width,
           std::max(row - 1, 0),
@@ -34,10 +39,10 @@ Patch patch_of(const image::Image& map, int column, int row) {
           0};
 }
 
-Patch patch_at(const image::Image& map, Vec2 uv) {
+TexelPatch patch_at(const image::Image& map, Vec2 uv) {
   const float x = uv.x * static_cast<float>(map.width) + 0.5f;
   const float y = uv.y * static_cast<float>(map.height) + 0.5f;
-  Patch patch = patch_of(map, static_cast<int>(x), static_cast<int>(y));
+  TexelPatch patch = patch_of(map, static_cast<int>(x), static_cast<int>(y));
   patch.x = x - std::floor(x);
   patch.y = y - std::floor(y);
   return patch;
@@ -48,30 +53,10 @@ T mix(const T& a, const T& b, float t) {
   return a * (1 - t) + b * t;
 }
 
-// The unnormalised density at the corners of a patch: top left, top right, bottom left, bottom right.
-struct Corners {
-  float w[4];
-  float mean() const { return (w[0] + w[1] + w[2] + w[3]) / 4; }
-  float at(float x, float y) const { return mix(mix(w[0], w[1], x), mix(w[2], w[3], x), y); }
-};
-
-// `weights` has the luminance times the sine of its row for each texel.
-Corners corners_of(const std::vector<float>& weights, const image::Image& map, const Patch& p) {
-  const auto at = [&](int x, int y) {
-    return weights[static_cast<size_t>(y) * static_cast<size_t>(map.width) + static_cast<size_t>(x)];
-  };
-  return {at(p.left, p.top), at(p.right, p.top), at(p.left, p.bottom), at(p.right, p.bottom)};
-}
-
 // A point of [0, 1] with a density that is linear from a to b.
 float sample_linear(float u, float a, float b) {
   const float root = std::sqrt(mix(a * a, b * b, u));
   return a + root > 0 ? std::min(u * (a + b) / (a + root), 1.0f) : u;
-}
-
-Vec2 sample_corners(Vec2 u, const Corners& c) {
-  const float y = sample_linear(u.y, c.w[0] + c.w[1], c.w[2] + c.w[3]);
-  return {sample_linear(u.x, mix(c.w[0], c.w[2], y), mix(c.w[1], c.w[3], y)), y};
 }
 
 // The density per solid angle times the sine of the polar angle, at a point with this weight.
@@ -79,6 +64,20 @@ float density_times_sine(float weight, const Piecewise2D& patches, const image::
   const float rows = static_cast<float>(map.height);
   const float total = patches.integral() * (rows + 1) / rows;
   return total > 0 ? weight / (total * 2 * kPi * kPi) : 0;
+}
+
+float sum_of(const std::vector<float>& values) {
+  return static_cast<float>(std::accumulate(values.begin(), values.end(), 0.0));
+}
+
+// The luminance of a sun, averaged over the sphere.
+float mean_luminance(const SunCone& sun) { return luminance(sun.mean_radiance()) * (sun.solid_angle() / (4 * kPi)); }
+
+// How often the sun is sampled, by its mean luminance and that of the map; both are sampled if both emit.
+float sun_probability(float sun, float map) {
+  constexpr float kLeast = 0.1f;
+  if (!(sun > 0)) return 0;
+  return map > 0 ? std::clamp(sun / (sun + map), kLeast, 1 - kLeast) : 1;
 }
 
 // Whether all texels have the same radiance above 0. A constant then replaces the map and its look-ups.
@@ -93,10 +92,21 @@ bool is_uniform(const image::Image& map) {
 
 }  // namespace
 
+struct EnvironmentMap::Corners {
+  float w[4];
+  float mean() const { return (w[0] + w[1] + w[2] + w[3]) / 4; }
+  float at(Vec2 p) const { return mix(mix(w[0], w[1], p.x), mix(w[2], w[3], p.x), p.y); }
+  Vec2 sample(Vec2 u) const {
+    const float y = sample_linear(u.y, w[0] + w[1], w[2] + w[3]);
+    return {sample_linear(u.x, mix(w[0], w[2], y), mix(w[1], w[3], y)), y};
+  }
+};
+
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment) {
   environment_.tint = mean_ = environment.spectrum.applied_to(environment.tint);
   prepare_map();
   prepare_sun(mean_);
+  prepare_compensation();
 }
 
 void EnvironmentMap::prepare_map() {
@@ -115,7 +125,7 @@ void EnvironmentMap::prepare_map() {
   double solid_angle = 0;
   weights_.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height));
   for (int y = 0; y < map.height; ++y) {
-    const float sine = row_sine(map, y);
+    const float sine = sines_.emplace_back(row_sine(map, y));
     for (int x = 0; x < map.width; ++x) {
       const Rgb c = pixel(map, x, y);
       weights_.push_back(luminance(c) * sine);
@@ -125,17 +135,31 @@ void EnvironmentMap::prepare_map() {
   }
   for (int i = 0; i < 3; ++i) mean_[i] *= static_cast<float>(sum[i] / solid_angle);
   // Relative to the largest: squares of the largest float would overflow, and the density does not depend on scale.
-  if (const float largest = *std::max_element(weights_.begin(), weights_.end()); largest > 0)
+  const float largest = *std::max_element(weights_.begin(), weights_.end());
+  if (largest > 0)
     for (float& w : weights_) w /= largest;
+  full_.patches = patches_above(0);
+}
 
+EnvironmentMap::Corners EnvironmentMap::corners_of(const TexelPatch& p, float subtracted) const {
+  const auto at = [&](int x, int y) {
+    const auto row = static_cast<size_t>(y);
+    const float weight = weights_[row * static_cast<size_t>(environment_.map->width) + static_cast<size_t>(x)];
+    return std::max(weight - subtracted * sines_[row], 0.0f);
+  };
+  return {{at(p.left, p.top), at(p.right, p.top), at(p.left, p.bottom), at(p.right, p.bottom)}};
+}
+
+Piecewise2D EnvironmentMap::patches_above(float subtracted) const {
+  const image::Image& map = *environment_.map;
   std::vector<float> means;
   means.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height + 1));
   for (int row = 0; row <= map.height; ++row)
     for (int column = 0; column < map.width; ++column) {
       const float inside = row == 0 || row == map.height ? 0.5f : 1.0f;
-      means.push_back(inside * corners_of(weights_, map, patch_of(map, column, row)).mean());
+      means.push_back(inside * corners_of(patch_of(map, column, row), subtracted).mean());
     }
-  density_ = Piecewise2D(means, map.width, map.height + 1);
+  return {means, map.width, map.height + 1};
 }
 
 // `tint` is that of the user; the one of a uniform map includes its radiance.
@@ -148,9 +172,26 @@ void EnvironmentMap::prepare_sun(const Rgb& tint) {
   sun_.emplace(disk, Vec3(d.x * c - d.z * s, d.y, d.x * s + d.z * c));
   const Rgb mean = sun_->mean_radiance() * (sun_->solid_angle() / (4 * kPi));
   mean_ += mean;
-  constexpr float kLeast = 0.1f;
-  const float share = luminance(mean_) > 0 ? luminance(mean) / luminance(mean_) : 0;
-  sun_probability_ = std::clamp(share, kLeast, 1 - kLeast);
+  full_.sun_probability = sun_probability(luminance(mean), luminance(mean_) - luminance(mean));
+}
+
+void EnvironmentMap::prepare_compensation() {
+  const float mean = luminance(mean_);
+  if (!(mean > 0)) return;
+  const float sun = sun_ ? mean_luminance(*sun_) : 0;
+  float above = 0;  // the mean of what the map exceeds the mean radiance by
+  if (full_.patches.integral() > 0 && mean > sun) {
+    const float mean_weight = sum_of(weights_) / sum_of(sines_) / static_cast<float>(environment_.map->width);
+    compensated_.subtracted = mean_weight * mean / (mean - sun);
+    compensated_.patches = patches_above(compensated_.subtracted);
+    above = (mean - sun) * compensated_.patches.integral() / full_.patches.integral();
+  }
+  // Below this share, a light sample at every vertex costs more than it gains.
+  constexpr float kLeastShare = 0.02f;
+  const float share = (above + sun) / mean;
+  if (share < kLeastShare) return;
+  compensated_share_ = share;
+  compensated_.sun_probability = sun_probability(sun, above);
 }
 
 Vec2 EnvironmentMap::uv_of(const Vec3& d) const {
@@ -162,20 +203,20 @@ Vec2 EnvironmentMap::uv_of(const Vec3& d) const {
 Rgb EnvironmentMap::map_radiance(const Vec3& direction) const {
   if (!environment_.map) return environment_.tint;
   const image::Image& map = *environment_.map;
-  const Patch p = patch_at(map, uv_of(direction));
+  const TexelPatch p = patch_at(map, uv_of(direction));
   return environment_.tint * mix(mix(pixel(map, p.left, p.top), pixel(map, p.right, p.top), p.x),
                                  mix(pixel(map, p.left, p.bottom), pixel(map, p.right, p.bottom), p.x), p.y);
 }
 
-EnvironmentMap::Sample EnvironmentMap::sample_map(Vec2 u) const {
-  if (density_.empty()) return {square_to_sphere(u), 1 / (4 * kPi)};
+EnvironmentMap::Sample EnvironmentMap::sample_map(Vec2 u, const Density& density) const {
+  if (!environment_.map) return {square_to_sphere(u), uniform_pdf(density)};
   const image::Image& map = *environment_.map;
   const Vec2 size(map.width, map.height + 1);
-  const Vec2 at = density_.sample(u).uv * size;
+  const Vec2 at = density.patches.sample(u).uv * size;
   const int column = static_cast<int>(at.x);
   const int row = static_cast<int>(at.y);
-  const Corners corners = corners_of(weights_, map, patch_of(map, column, row));
-  const Vec2 inside = sample_corners(Vec2(at.x - std::floor(at.x), at.y - std::floor(at.y)), corners);
+  const Corners corners = corners_of(patch_of(map, column, row), density.subtracted);
+  const Vec2 inside = corners.sample(Vec2(at.x - std::floor(at.x), at.y - std::floor(at.y)));
   const Vec2 uv = Vec2(static_cast<float>(column) + inside.x - 0.5f, static_cast<float>(row) + inside.y - 0.5f) /
                   Vec2(map.width, map.height);
   const float v = std::min(std::abs(uv.y), 2 - uv.y);
@@ -183,16 +224,16 @@ EnvironmentMap::Sample EnvironmentMap::sample_map(Vec2 u) const {
   const float phi = (uv.x - 0.5f) * 2 * kPi + environment_.rotation;
   const float sine = std::sin(theta);
   const Vec3 direction(std::cos(phi) * sine, std::cos(theta), std::sin(phi) * sine);
-  return {direction, sine > 0 ? density_times_sine(corners.at(inside.x, inside.y), density_, map) / sine : 0};
+  return {direction, sine > 0 ? density_times_sine(corners.at(inside), density.patches, map) / sine : 0};
 }
 
-float EnvironmentMap::map_pdf(const Vec3& direction) const {
-  if (density_.empty()) return 1 / (4 * kPi);
+float EnvironmentMap::map_pdf(const Vec3& direction, const Density& density) const {
+  if (!environment_.map) return uniform_pdf(density);
   const float sine = safe_sqrt(1 - sqr(direction.y));
   if (!(sine > 0)) return 0;
   const image::Image& map = *environment_.map;
-  const Patch p = patch_at(map, uv_of(direction));
-  return density_times_sine(corners_of(weights_, map, p).at(p.x, p.y), density_, map) / sine;
+  const TexelPatch p = patch_at(map, uv_of(direction));
+  return density_times_sine(corners_of(p, density.subtracted).at({p.x, p.y}), density.patches, map) / sine;
 }
 
 Rgb EnvironmentMap::radiance(const Vec3& direction) const {
@@ -200,22 +241,23 @@ Rgb EnvironmentMap::radiance(const Vec3& direction) const {
   return sun_ ? radiance + sun_->radiance(direction) : radiance;
 }
 
-EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
-  if (!sun_) return sample_map(u);
+EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u, bool compensated) const {
+  const Density& density = density_for(compensated);
+  if (!sun_) return sample_map(u, density);
+  const float p = density.sun_probability;
   Sample sample;
-  if (u.x < sun_probability_) {
-    sample.direction = sun_->sample({u.x / sun_probability_, u.y});
-  } else {
-    const float rest = (u.x - sun_probability_) / (1 - sun_probability_);
-    sample = sample_map({std::min(rest, kOneMinusEpsilon), u.y});
-  }
-  sample.pdf_solid_angle = pdf_solid_angle(sample.direction);
+  if (u.x < p)
+    sample.direction = sun_->sample({u.x / p, u.y});
+  else
+    sample = sample_map({std::min((u.x - p) / (1 - p), kOneMinusEpsilon), u.y}, density);
+  sample.pdf_solid_angle = pdf_solid_angle(sample.direction, compensated);
   return sample;
 }
 
-float EnvironmentMap::pdf_solid_angle(const Vec3& direction) const {
-  if (!sun_) return map_pdf(direction);
-  return sun_probability_ * sun_->pdf(direction) + (1 - sun_probability_) * map_pdf(direction);
+float EnvironmentMap::pdf_solid_angle(const Vec3& direction, bool compensated) const {
+  const Density& density = density_for(compensated);
+  const float map = map_pdf(direction, density);
+  return sun_ ? mix(map, sun_->pdf(direction), density.sun_probability) : map;
 }
 
 }  // namespace etendue

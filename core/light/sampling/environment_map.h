@@ -6,6 +6,10 @@
 //
 // A sun is added to the map. Directions come from its disk with a probability that follows its share of the flux, else
 // from the map; the density is that of the mixture.
+//
+// Compensated sampling is for light samples that are combined with BSDF samples by MIS: it covers only the radiance
+// above the mean, which BSDF samples find badly. Its density is 0 elsewhere, and everywhere in an environment that is
+// nearly uniform.                                                                                [Karlik et al. 2019]
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,6 +20,8 @@
 #include "light/sampling/sun_cone.h"
 
 namespace etendue {
+
+struct TexelPatch;
 
 class EnvironmentMap {
  public:
@@ -32,8 +38,10 @@ class EnvironmentMap {
     Vec3 direction;
     float pdf_solid_angle;
   };
-  Sample sample(Vec2 u) const;
-  float pdf_solid_angle(const Vec3& direction) const;
+  Sample sample(Vec2 u, bool compensated = false) const;
+  float pdf_solid_angle(const Vec3& direction, bool compensated = false) const;
+  // The share of the flux that compensated sampling covers, in [0, 1]; if it is 0, there are no such samples.
+  float compensated_share() const { return compensated_share_; }
   // Over the sphere.
   Rgb mean_radiance() const { return mean_; }
 
@@ -42,15 +50,30 @@ class EnvironmentMap {
   void prepare_map();
   void prepare_sun(const Rgb& tint);
   Rgb map_radiance(const Vec3& direction) const;
-  Sample sample_map(Vec2 u) const;
-  float map_pdf(const Vec3& direction) const;
+  void prepare_compensation();
+  // The luminance above a constant, where that is positive, and the sun.
+  struct Density {
+    float subtracted = 0;  // the constant, relative to the largest of the map
+    Piecewise2D patches;   // between the texels of the map; empty without a map
+    float sun_probability = 0;
+  };
+  // The densities at the corners of a patch between four texels: top left, top right, bottom left, bottom right.
+  struct Corners;
+  Corners corners_of(const TexelPatch& patch, float subtracted) const;
+  Piecewise2D patches_above(float subtracted) const;
+  Sample sample_map(Vec2 u, const Density& density) const;
+  float map_pdf(const Vec3& direction, const Density& density) const;
+  const Density& density_for(bool compensated) const { return compensated ? compensated_ : full_; }
+  // The density of directions without a map.
+  float uniform_pdf(const Density& density) const { return &density == &full_ ? 1 / (4 * kPi) : 0; }
 
   Environment environment_;
   std::vector<float> weights_;  // per texel, luminance times sine, relative to the largest; empty without a map
-  Piecewise2D density_;         // of the patches between texels
+  std::vector<float> sines_;    // of the polar angles of the rows
   std::optional<SunCone> sun_;
-  float sun_probability_ = 0;
   Rgb mean_{0};
+  Density full_, compensated_;
+  float compensated_share_ = 0;
 };
 
 }  // namespace etendue

@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-// A triangle, sphere or disk that emits; a light without extent; the environment.
-enum class LightKind : uint8_t { triangle, placed, environment };
+// A triangle, sphere or disk that emits; a light without extent; the environment; media that emit (only in records).
+enum class LightKind : uint8_t { triangle, placed, environment, medium };
 
 struct LightSample {
   LightKind kind = LightKind::triangle;
@@ -42,6 +42,21 @@ struct LightQueries {
 // All but `emission_pdf` sample large triangles and spheres by solid angle. `emission_pdf` is for MIS weights that need
 // the densities of emission.
 enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
+
+// How the lights of a receiver are sampled. BSDF samples find smooth parts of the environment well. If the light samples
+// are combined with them by MIS, they cover only what exceeds the mean radiance of the environment; nothing of a uniform
+// environment (EnvironmentMap).                                                                  [Karlik et al. 2019]
+struct LightSampling {
+  LightStrategy strategy = LightStrategy::automatic;
+  bool is_compensated = false;  // every direction of the environment is found by BSDF samples as well
+
+  constexpr LightSampling(LightStrategy chosen) : strategy(chosen) {}  // NOLINT: a strategy alone
+  static constexpr LightSampling compensated(LightStrategy chosen) {
+    LightSampling sampling(chosen);
+    sampling.is_compensated = true;
+    return sampling;
+  }
+};
 
 }  // namespace etendue
 

@@ -55,6 +55,9 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
     light.is_infinite = true;
   }
   selector_ = LightSelector(lights);
+  if (environment_.black()) return;
+  lights.back().power *= environment_.compensated_share();
+  compensated_selector_ = LightSelector(lights);
 }
 
 size_t LightTable::placed_count() const { return placed_->size(); }
@@ -64,24 +67,26 @@ const PlacedLight* LightTable::placed_at(uint32_t light) const {
   return light >= primitives_.size() && i < placed_->size() ? &(*placed_)[i] : nullptr;
 }
 
-void LightTable::sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const {
-  if (selector_.uses_tree(strategy))
-    sample_chosen(queries, samples, true,
-                  [&](size_t i) { return selector_.choose_by_tree(queries.from[i], queries.choice[i]); });
+void LightTable::sample(const LightQueries& queries, LightSample* samples, LightSampling sampling) const {
+  const LightSelector& lights = selector(sampling);
+  if (lights.uses_tree(sampling.strategy))
+    sample_chosen(queries, samples, sampling,
+                  [&](size_t i) { return lights.choose_by_tree(queries.from[i], queries.choice[i]); });
   else
-    sample_chosen(queries, samples, strategy != LightStrategy::emission_pdf,
-                  [&](size_t i) { return selector_.choose_by_power(queries.choice[i]); });
+    sample_chosen(queries, samples, sampling, [&](size_t i) { return lights.choose_by_power(queries.choice[i]); });
 }
 
-void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, true,
-                [&](size_t i) { return selector_.choose_in_source(source, queries.choice[i]); });
+void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples,
+                               LightSampling sampling) const {
+  const LightSelector& lights = selector(sampling);
+  sample_chosen(queries, samples, sampling,
+                [&](size_t i) { return lights.choose_in_source(source, queries.choice[i]); });
 }
 
 template <class Choose>
-void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, bool by_solid_angle,
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, LightSampling sampling,
                                Choose&& choose) const {
-  if (empty()) {
+  if (empty(sampling)) {
     for (size_t i = 0; i < queries.count; ++i) samples[i].pdf = 0;
     return;
   }
@@ -90,12 +95,13 @@ void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples
     sample_batch(
         {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
          std::min(TriangleBatch::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
-        batch, samples + first, by_solid_angle, [&](size_t i) { return choose(first + i); });
+        batch, samples + first, sampling, [&](size_t i) { return choose(first + i); });
 }
 
 template <class Choose>
 void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples,
-                              bool by_solid_angle, Choose&& choose) const {
+                              LightSampling sampling, Choose&& choose) const {
+  const bool by_solid_angle = sampling.strategy != LightStrategy::emission_pdf;
   const auto time_of = [&](size_t i) { return queries.times ? queries.times[i] : 0; };
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& s = samples[i];
@@ -106,7 +112,7 @@ void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch,
       batch.set(i, primitives_[choice.index], choice.probability);
     } else {
       s.textured = false;
-      const bool reached = sample_other(queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i), by_solid_angle, s);
+      const bool reached = sample_other(queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i), sampling, s);
       s.pdf = reached ? s.pdf * choice.probability : 0;
     }
   }
@@ -132,9 +138,9 @@ void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch,
   }
 }
 
-bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, bool by_position, LightSample& sample) const {
+bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, LightSampling sampling, LightSample& sample) const {
   const PlacedLight* placed = placed_at(sample.light);
-  if (!placed) return sample_environment(from, u, by_position, sample);
+  if (!placed) return sample_environment(from, u, sampling, sample);
   sample.kind = LightKind::placed;
   const LightPlace place = placed->at(time);
   return placed->visit([&](const auto& emitter) { return emitter.sample(place, from, u, sample); });
@@ -158,17 +164,19 @@ std::optional<LightTable::PointLight> LightTable::point_light(uint32_t light, fl
 LightSample LightTable::sample_placed(uint32_t light, const Vec3& from, float time) const {
   LightSample sample;
   sample.light = light;
-  if (!sample_other(from, Vec2(0), time, true, sample)) sample.pdf = 0;
+  if (!sample_other(from, Vec2(0), time, LightStrategy::one, sample)) sample.pdf = 0;
   return sample;
 }
 
-bool LightTable::sample_environment(const Vec3& from, Vec2 u, bool by_position, LightSample& sample) const {
+bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling sampling, LightSample& sample) const {
+  const bool by_position = sampling.strategy != LightStrategy::emission_pdf;
   const float through = by_position && !portals_.empty() ? portals_.probability(from) : 0;
   if (u.x < through) {
     sample.wi = portals_.sample(from, {u.x / through, u.y});
     sample.pdf = (1 - through) * environment_.pdf_solid_angle(sample.wi);
   } else {
-    const auto direction = environment_.sample({std::min((u.x - through) / (1 - through), kOneMinusEpsilon), u.y});
+    const float rest = std::min((u.x - through) / (1 - through), kOneMinusEpsilon);
+    const auto direction = environment_.sample({rest, u.y}, is_compensated(sampling));
     sample.wi = direction.direction;
     sample.pdf = (1 - through) * direction.pdf_solid_angle;
   }
@@ -181,20 +189,20 @@ bool LightTable::sample_environment(const Vec3& from, Vec2 u, bool by_position, 
 }
 
 float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
-                               LightStrategy strategy) const {
-  if (empty() || light >= primitives_.size()) return 0;
-  const float pdf = primitives_.pdf(light, from, at, time, strategy != LightStrategy::emission_pdf);
-  return pdf > 0 ? selector_.probability(light, from, strategy) * pdf : 0;
+                               LightSampling sampling) const {
+  if (empty(sampling) || light >= primitives_.size()) return 0;
+  const float pdf = primitives_.pdf(light, from, at, time, sampling.strategy != LightStrategy::emission_pdf);
+  return pdf > 0 ? probability(light, from, sampling) * pdf : 0;
 }
 
-float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightStrategy strategy) const {
-  if (empty() || environment_.black()) return 0;
-  float pdf = environment_.pdf_solid_angle(direction);
-  if (strategy != LightStrategy::emission_pdf && !portals_.empty()) {
+float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const {
+  if (empty(sampling) || environment_.black()) return 0;
+  float pdf = environment_.pdf_solid_angle(direction, is_compensated(sampling));
+  if (sampling.strategy != LightStrategy::emission_pdf && !portals_.empty()) {
     const float through = portals_.probability(from);
     pdf = (1 - through) * pdf + (through > 0 ? through * portals_.pdf(from, direction) : 0);
   }
-  return selector_.probability(environment_number(), Vec3(0), strategy) * pdf;
+  return pdf > 0 ? probability(environment_number(), Vec3(0), sampling) * pdf : 0;
 }
 
 }  // namespace etendue

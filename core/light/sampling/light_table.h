@@ -32,6 +32,8 @@ class LightTable {
 
   // Without lights, or without any power.
   bool empty() const { return selector_.empty(); }
+  // Whether there is nothing to sample.
+  bool empty(LightSampling sampling) const { return selector(sampling).empty(); }
   size_t size() const { return selector_.size(); }
   const std::vector<AreaLightTriangle>& triangles() const { return primitives_.triangles(); }
   const std::vector<PlacedLight>& placed() const { return *placed_; }
@@ -44,20 +46,21 @@ class LightTable {
 
   // One sample per query, by a strategy that chooses a single light. The pdf is 0 if the light cannot reach the
   // receiver (a triangle seen edge-on, a receiver outside a spot's cone) or if there are no lights.
-  void sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const;
+  void sample(const LightQueries& queries, LightSample* samples, LightSampling sampling) const;
   // Sources are lights as a user counts them: the emissive triangles of an instance, a light without extent, the
   // environment. Sources without power do not count.
-  size_t source_count() const { return selector_.source_count(); }
+  size_t source_count(LightSampling sampling = LightStrategy::every) const { return selector(sampling).source_count(); }
   // As `sample`, from one source: the pdf does not include the choice of the source.
-  void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
+  void sample_source(size_t source, const LightQueries& queries, LightSample* samples,
+                     LightSampling sampling = LightStrategy::every) const;
 
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
   // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are those of the light's source.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightStrategy strategy) const;
-  float pdf_environment(const Vec3& from, const Vec3& direction, LightStrategy strategy) const;
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightSampling sampling) const;
+  float pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.
-  float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
-    return selector_.probability(light, from, strategy);
+  float probability(uint32_t light, const Vec3& from, LightSampling sampling) const {
+    return selector(sampling).probability(light, from, sampling.strategy);
   }
 
   // Whether there are lights at points (point lights, spot lights).
@@ -110,13 +113,13 @@ class LightTable {
  private:
   // `choose(i)` is the light of query i with its probability.
   template <class Choose>
-  void sample_chosen(const LightQueries& queries, LightSample* samples, bool by_solid_angle, Choose&& choose) const;
+  void sample_chosen(const LightQueries& queries, LightSample* samples, LightSampling sampling, Choose&& choose) const;
   template <class Choose>
-  void sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples, bool by_solid_angle,
+  void sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples, LightSampling sampling,
                     Choose&& choose) const;
   // Sets the pdf of a chosen light that is no area light, without the choice; false if the light does not reach `from`.
-  bool sample_other(const Vec3& from, Vec2 u, float time, bool by_position, LightSample& sample) const;
-  bool sample_environment(const Vec3& from, Vec2 u, bool by_position, LightSample& sample) const;
+  bool sample_other(const Vec3& from, Vec2 u, float time, LightSampling sampling, LightSample& sample) const;
+  bool sample_environment(const Vec3& from, Vec2 u, LightSampling sampling, LightSample& sample) const;
 
   void sample_placed_emission(const EmissionRandom& random, float probability, Emission& e) const;
   void sample_environment_emission(const EmissionRandom& random, float probability, Emission& e) const;
@@ -124,6 +127,13 @@ class LightTable {
 
   // The light without extent of this number, or null: the light is an area light or the environment.
   const PlacedLight* placed_at(uint32_t light) const;
+  // Portals guide the sampling of the environment already.
+  bool is_compensated(LightSampling sampling) const {
+    return sampling.is_compensated && !environment_.black() && portals_.empty();
+  }
+  const LightSelector& selector(LightSampling sampling) const {
+    return is_compensated(sampling) ? compensated_selector_ : selector_;
+  }
   uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
   AreaLightPrimitives primitives_;
@@ -132,6 +142,7 @@ class LightTable {
   EnvironmentPortals portals_;
   SceneSphere scene_;
   LightSelector selector_;
+  LightSelector compensated_selector_;
   bool has_point_lights_ = false;
 };
 

@@ -2,7 +2,8 @@
 //
 //   E = I(direction) cos(theta) / r^2,    Phi = (integral of I over the sphere)
 //
-// photometry_profile.h describes the files and their angles. Rays that leave the light are uniform over the solid angle
+// I includes the TILT factor of the file for the angle between the direction of emission and straight down (-y), which is
+// the position of the measurement. photometry_profile.h describes the files and their angles. Rays that leave the light are uniform over the solid angle
 // of the measured angles.
 #pragma once
 #include <memory>
@@ -54,32 +55,38 @@ struct PhotometricLight {
                "intensity or intensity on the axis is 1 cd",
                accepts_photometry,
                {kPhotometryProfiles.begin(), kPhotometryProfiles.end()}};
+  Toggle tilt{
+      "tilt", "Tilt factors", true,
+      "Applies the TILT data of the file: luminaires that are tilted from pointing straight down (-y) may emit less. "
+      "Files without such data are not affected"};
   Number<float> range = range_parameter();
   auto parameters() {
     intensity.unit = quantity == PhotometricQuantity::power ? kLuminousFlux.unit : kFactorOnFile.unit;
-    return std::tie(intensity, quantity, profile, range);
+    return std::tie(intensity, quantity, profile, tilt, range);
   }
 
   struct Emitter : PunctualEmitter {
     std::shared_ptr<const PhotometryProfile> profile = photometry_profile(kPhotometryProfiles.front().name);
+    bool tilts = true;
 
     Rgb flux() const { return radiant_intensity() * profile->flux(); }
     float power(float) const { return luminance(flux()); }
 
     LightBounds bounds(const LightPlace& place) const {
       LightBounds b = PunctualEmitter::bounds(place);
-      b.intensity *= profile->largest_intensity();
+      b.intensity *= profile->largest_intensity() * tilt_factor(place);
       return b;
     }
 
     bool sample(const LightPlace& place, const Vec3& from, Vec2, LightSample& s) const {
       if (!sample_point(place, from, s)) return false;
-      s.radiance *= profile->intensity(place.frame().to_local(-s.wi));
+      s.radiance *= profile->intensity(place.frame().to_local(-s.wi)) * tilt_factor(place);
       return !is_black(s.radiance);
     }
 
     Rgb emitted(const LightPlace& place, const Vec3& direction, float distance) const {
-      return radiant_intensity() * (profile->intensity(place.frame().to_local(direction)) * range_window(distance));
+      return radiant_intensity() *
+             (profile->intensity(place.frame().to_local(direction)) * tilt_factor(place) * range_window(distance));
     }
     EmissionDensity emission_density(const SceneSphere&) const { return {1, profile->direction_pdf(), true, false}; }
     void sample_emission(const LightPlace& place, const SceneSphere& scene, const EmissionRandom& random,
@@ -90,11 +97,16 @@ struct PhotometricLight {
     void resample_emission(const LightPlace& place, const SceneSphere&, Vec2 u, Emission& e) const {
       const Vec3 local = profile->sample_direction(u);
       e.direction = place.frame().to_world(local);
-      e.radiance = radiant_intensity() * profile->intensity(local);
+      e.radiance = radiant_intensity() * (profile->intensity(local) * tilt_factor(place));
+    }
+
+   private:
+    float tilt_factor(const LightPlace& place) const {
+      return tilts ? profile->tilt_factor(std::acos(std::clamp(-place.direction.y, -1.0f, 1.0f))) : 1;
     }
   };
   Emitter emitter(const Rgb& color) const {
-    Emitter e{{color, intensity, range_or_infinity(range)}, photometry_profile(profile)};
+    Emitter e{{color, intensity, range_or_infinity(range)}, photometry_profile(profile), tilt};
     if (quantity == PhotometricQuantity::power) e.intensity = e.profile->flux() > 0 ? intensity / e.profile->flux() : 0;
     return e;
   }

@@ -1,4 +1,5 @@
-// A density from a file with a sparse grid of voxels: NanoVDB (.nvdb).                                  [Museth 2021]
+// A density from a file with a sparse grid of voxels: NanoVDB (.nvdb) or OpenVDB (.vdb).
+//                                                                                      [Museth 2013; Museth 2021]
 //
 // The bounding box of the voxels is mapped to the bounding box of the medium. The grid `density` gives the density, or
 // the first grid if none has this name; the grid `temperature`, if there is one, the temperature for emission.
@@ -14,18 +15,19 @@ struct FileDensity {
   static constexpr DensityDescription kDescription{
       .name = "file",
       .label = "Grid file",
-      .summary = "The density, and optionally the temperature, from a NanoVDB file.",
+      .summary = "The density, and optionally the temperature, from a NanoVDB or OpenVDB file.",
       .formula = "density = scale times the values of the grid, trilinear between voxels",
       .limitations =
-          "Grids of 32-bit floats without compression, up to 256 million voxels in their bounding box. "
-          "Voxels that are negative or not finite count as 0.",
-      .source = "[Museth 2021]",
+          "Grids of floats, in NanoVDB files also quantised, up to 256 million voxels in their bounding box. OpenVDB "
+          "files and Blosc compression need the packages libopenvdb-dev and libboost-dev. Voxels that are negative or "
+          "not finite count as 0.",
+      .source = "[Museth 2013; Museth 2021]",
   };
 
   Text file{"file",
             "File",
             "",
-            "Path of a .nvdb file",
+            "Path of a .nvdb or .vdb file",
             [](std::string_view path) -> Result<void> {
               if (path.empty()) return {};
               const auto values = load_grid_file(std::string(path));

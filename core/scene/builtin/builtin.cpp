@@ -17,6 +17,7 @@
 #include "scene/builtin/milk.h"
 #include "scene/builtin/prism.h"
 #include "scene/builtin/spot_indirect.h"
+#include "scene/builtin/wax.h"
 #include "scene/gltf/load_gltf.h"
 
 namespace etendue::scene {
@@ -24,7 +25,7 @@ namespace etendue::scene {
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
       kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,     kMilk,           kGodRays,      kCloud,        kFire,        kPrism,
+      kFog,     kMilk,           kGodRays,      kCloud,        kFire,        kPrism,        kWax,
   };
   return all;
 }

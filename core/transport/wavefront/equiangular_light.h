@@ -17,8 +17,8 @@ namespace etendue::transport {
 template <class M>
 class EquiangularLight {
  public:
-  EquiangularLight(PathWavefront<M>& paths, LightStrategy strategy, MisHeuristic heuristic)
-      : paths_(paths), lights_(paths.scene().lights()), strategy_(strategy), heuristic_(heuristic) {}
+  EquiangularLight(PathWavefront<M>& paths, LightSampling sampling, MisHeuristic heuristic)
+      : paths_(paths), lights_(paths.scene().lights()), sampling_(sampling), heuristic_(heuristic) {}
 
   // One point on each segment that ends at a current hit.
   void add_light_before_hits() {
@@ -95,7 +95,7 @@ class EquiangularLight {
     const Vec3 point = segment.origin + segment.direction * distance;
     const LightSample light = lights_.sample_placed(choice->light, point, state.time);
     if (light.pdf == 0) return;
-    const float other_pdf = flight_density(path, part, distance) * lights_.probability(choice->light, point, strategy_);
+    const float other_pdf = flight_density(path, part, distance) * lights_.probability(choice->light, point, sampling_);
     const float weight = mis_weight_over_pdf(heuristic_, pdf * choice->probability, other_pdf);
     const float phase = part.medium->phase->eval(-segment.direction, light.wi);
     const auto& medium = paths_.media().coefficients(path, *part.medium);
@@ -126,7 +126,7 @@ class EquiangularLight {
 
   PathWavefront<M>& paths_;
   const LightTable& lights_;
-  LightStrategy strategy_;
+  LightSampling sampling_;
   MisHeuristic heuristic_;
 };
 

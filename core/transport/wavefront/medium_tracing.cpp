@@ -1,5 +1,6 @@
 #include "transport/wavefront/medium_tracing.h"
 
+#include "medium/emission_on_ray.h"
 #include "scene/facet.h"
 
 namespace etendue::transport {
@@ -179,7 +180,55 @@ struct MediaBeforeInterval {
   }
 };
 
+// The fraction of the extinction that is due to scattering, by channel.
+Rgb albedo_of(const MediumPart& medium) {
+  const Rgb &scattering = medium.heterogeneous ? medium.heterogeneous->scattering : medium.homogeneous->scattering,
+            &extinction = medium.heterogeneous ? medium.heterogeneous->extinction : medium.homogeneous->extinction;
+  Rgb albedo(0);
+  for (int c = 0; c < 3; ++c)
+    if (extinction[c] > 0) albedo[c] = scattering[c] / extinction[c];
+  return albedo;
+}
+
+// Adds a part of a ray beyond those that `light` describes.
+void add_part(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part, EmissionPoints points,
+              RandomStream& random, MediumLightOnRay& light) {
+  Rgb emitted(0), transmittance;
+  if (const HeterogeneousMedium* m = medium.heterogeneous; m && m->emits()) {
+    const RaySpan span = span_of(ray, scale, part, medium);
+    transmittance = points == EmissionPoints::of_voxels
+                        ? transmittance_and_emission_by_voxels(*m, span, random, emitted)
+                        : transmittance_and_emission(*m, span, random, emitted);
+  } else {
+    transmittance = transmittance_of(medium, ray, scale, part, random, MediumColors<Rgb>());
+  }
+  if (medium.homogeneous) emitted = medium.homogeneous->emitted(medium.length);
+  light.emitted += light.transmitted * emitted;
+  // Light from the end passes this part first.
+  const Rgb lost = Rgb(1) - transmittance;
+  const Rgb albedo = medium.heterogeneous || medium.homogeneous ? albedo_of(medium) : Rgb(0);
+  light.absorbed = lost * (Rgb(1) - albedo) + transmittance * light.absorbed;
+  light.scattered = lost * albedo + transmittance * light.scattered;
+  light.transmitted *= transmittance;
+}
+
 }  // namespace
+
+MediumLightOnRay medium_light_on_ray(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed, float time,
+                                     const scene::MediumStack& start, EmissionPoints points) {
+  const float scale = std::sqrt(length_squared(ray.direction));
+  scene::MediumStack stack = start;
+  RandomStream random = stream_of(ray, seed);
+  MediumSegment segment;
+  segment.hit = scene.intersect_solids(ray, seed, time);
+  MediumLightOnRay light;
+  traverse(scene, ray, ray.tfar, seed, time, stack, segment, [&](const SegmentPart& part) {
+    add_part(medium_part(scene.solids(), ray, scale, part), ray, scale, part, points, random, light);
+    return true;
+  });
+  light.rays = 1 + segment.rays;
+  return light;
+}
 
 template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,

@@ -71,12 +71,12 @@ inline constexpr float kMaxSurvivalInMedia = 0.9995f;
 // The MIS weight of emission that BSDF sampling has hit.
 template <class Color>
 float emission_weight(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
-                      Combination combination, LightStrategy strategy) {
+                      Combination combination, LightSampling sampling) {
   if (!combination || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
   return mis_weight(*combination, path.pdf,
-                    scene.lights().pdf_triangle(light, path.from, point.position, path.time, strategy));
+                    scene.lights().pdf_triangle(light, path.from, point.position, path.time, sampling));
 }
 
 // The throughput of a path that ends at an emitter or the lens, restricted to the selected path classes.
@@ -113,9 +113,9 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
 
 template <class M>
 void add_emission(PathWavefront<M>& paths, Combination combination = {},
-                  LightStrategy strategy = LightStrategy::automatic) {
+                  LightSampling sampling = LightStrategy::automatic) {
   add_emission_weighted(paths, [&](int i) {
-    return emission_weight(paths.state_at(i), paths.scene(), paths.point(i), combination, strategy);
+    return emission_weight(paths.state_at(i), paths.scene(), paths.point(i), combination, sampling);
   });
 }
 
@@ -141,13 +141,13 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
 
 template <class M>
 void add_environment(PathWavefront<M>& paths, Combination combination = {},
-                     LightStrategy strategy = LightStrategy::automatic) {
+                     LightSampling sampling = LightStrategy::automatic) {
   const LightTable& lights = paths.scene().lights();
   add_environment_weighted(paths, [&](int i) {
     const float bsdf_pdf = paths.missed_path(i).pdf;
     if (!combination || bsdf_pdf == 0) return 1.0f;
     return mis_weight(*combination, bsdf_pdf,
-                      lights.pdf_environment(paths.missed_path(i).from, paths.miss_direction(i), strategy));
+                      lights.pdf_environment(paths.missed_path(i).from, paths.miss_direction(i), sampling));
   });
 }
 
@@ -226,23 +226,24 @@ void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&&
 
 // The same with one sample on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
 template <class M, class DeltaWeight = OnlyTechnique>
-void add_light_of_all_sources(PathWavefront<M>& paths, Combination combination, Shadows shadows = Shadows::cast,
-                              float branches = 1, const DeltaWeight& delta_weight = {}) {
-  for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
+void add_light_of_all_sources(PathWavefront<M>& paths, LightSampling sampling, Combination combination,
+                              Shadows shadows = Shadows::cast, float branches = 1,
+                              const DeltaWeight& delta_weight = {}) {
+  for (size_t source = 0; source < paths.scene().lights().source_count(sampling); ++source) {
     paths.reserve_connections();
-    add_light_samples(paths, paths.sample_source(source), combination, shadows, branches, delta_weight);
+    add_light_samples(paths, paths.sample_source(source, sampling), combination, shadows, branches, delta_weight);
   }
   paths.select_rng_stream(0);
 }
 
 template <class M, class DeltaWeight = OnlyTechnique>
-void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combination combination,
+void add_direct_light(PathWavefront<M>& paths, LightSampling sampling, Combination combination,
                       Shadows shadows = Shadows::cast, float branches = 1, const DeltaWeight& delta_weight = {}) {
-  if (paths.scene().lights().empty()) return;
-  if (strategy == LightStrategy::every)
-    add_light_of_all_sources(paths, combination, shadows, branches, delta_weight);
+  if (paths.scene().lights().empty(sampling)) return;
+  if (sampling.strategy == LightStrategy::every)
+    add_light_of_all_sources(paths, sampling, combination, shadows, branches, delta_weight);
   else
-    add_light_samples(paths, paths.sample_lights(strategy), combination, shadows, branches, delta_weight);
+    add_light_samples(paths, paths.sample_lights(sampling), combination, shadows, branches, delta_weight);
 }
 
 // Russian roulette: a path survives with the probability of its throughput's largest component (corrected for the

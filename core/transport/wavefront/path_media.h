@@ -2,6 +2,7 @@
 //
 // In models with scattering media, a segment can end at a collision instead of a surface.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -38,9 +39,10 @@ class PathMedia<M, true> {
 
   // The solids and the ray at the start of the current segment of a path.
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
+  const MediumStack& stack(int path) const { return stacks_[static_cast<size_t>(path)]; }
   void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
 
-  // Paths choose a colour channel for every flight, or keep one of them (FreeFlight).
+  // Paths choose a colour channel for every flight, keep one of them, or have no collisions (FreeFlight).
   void choose_channels(int path) requires(M::kScattering) { flights_.channel[static_cast<size_t>(path)] = -1; }
   void keep_channel(int path, int channel) requires(M::kScattering) {
     flights_.channel[static_cast<size_t>(path)] = static_cast<int8_t>(channel);
@@ -55,25 +57,30 @@ class PathMedia<M, true> {
     flights_.next_densities[p][0] = 1;
     return share > 0 ? 1 / share : 0;
   }
+  // Of the first `count` paths.
+  void ignore_collisions(int count, bool ignore) requires(M::kScattering) {
+    std::fill_n(flights_.channel.begin(), count, ignore ? kNoCollisions : int8_t{-1});
+  }
   // A flight from the start of the current segment of a path.
   BasicFreeFlight<Color> flight(int path, float random) const requires(M::kScattering) {
     using Flight = BasicFreeFlight<Color>;
     const auto p = static_cast<size_t>(path);
     const int channel = flights_.channel[p];
+    if (channel == kNoCollisions) return Flight::without_collision(unattenuated_[p]);
     return channel < 0 ? Flight(unattenuated_[p], random) : Flight(flights_.densities[p], channel, random);
   }
 
-  // The same in a model with scattering media, with a uniform random number for the distance to a collision. `emitted` is
-  // the radiance of media on the segment, without the throughput. Returns whether the segment ends on a surface or at a
-  // collision.
+  // The same in a model with scattering media, with a uniform random number for the distance to a collision. Returns
+  // whether the segment ends on a surface or at a collision.
   bool sample_segment(int path, int slot, uint32_t seed, float time, float random, Hit& hit, Color& throughput,
-                      Color& emitted, uint64_t& traced) {
+                      uint64_t& traced) {
     const auto p = static_cast<size_t>(path);
     unattenuated_[p] = throughput;
     flights_.densities[p] = flights_.next_densities[p];
     if (is_in_vacuum(p, hit)) {
       interfaces_[static_cast<size_t>(slot)].clear(stacks_[p]);
       flights_.survival[p] = 1;
+      flights_.emitted[p] = Color(0);
       flights_.first[p].medium = nullptr;
       collisions_.at(slot).phase = nullptr;
       return bool{hit};
@@ -84,7 +91,7 @@ class PathMedia<M, true> {
                               color_->media(path));
     flights_.next_densities[p] = segment.densities;
     throughput *= segment.transmittance;
-    emitted = segment.emitted;
+    flights_.emitted[p] = segment.emitted;
     flights_.survival[p] = segment.survival;
     flights_.first[p] = segment.first;
     traced += segment.rays;
@@ -99,8 +106,10 @@ class PathMedia<M, true> {
     return {&collisions_.at(first_slot), count};
   }
 
-  // Of the segment of a path that `sample_segment` completed: the probability that a flight passes it
-  // (FreeFlight::survival), its first part in a scattering medium, its ray, and the throughput at its start.
+  // Of the segment of a path that `sample_segment` completed: the radiance that media on it emit towards its start, the
+  // probability that a flight passes it (FreeFlight::survival), its first part in a scattering medium, its ray, and the
+  // throughput at its start.
+  const Color& emitted(int path) const { return flights_.emitted[static_cast<size_t>(path)]; }
   float survival(int path) const { return flights_.survival[static_cast<size_t>(path)]; }
   const BasicScatteringInterval<Color>& first_interval(int path) const {
     return flights_.first[static_cast<size_t>(path)];
@@ -213,9 +222,11 @@ class PathMedia<M, true> {
   struct NoCollisions {};
   [[no_unique_address]] std::conditional_t<M::kScattering, Collisions, NoCollisions> collisions_;
   // By path, in models with scattering media.
+  static constexpr int8_t kNoCollisions = -2;
   struct Flights {
     PerPath<float> survival;
-    PerPath<int8_t> channel;  // kept by the path; -1: none
+    PerPath<Color> emitted;
+    PerPath<int8_t> channel;  // kept by the path; -1: none; kNoCollisions
     PerPath<Color> densities,
         next_densities;  // of paths that keep a channel, at the start of the segment and at its end
     PerPath<BasicScatteringInterval<Color>> first;

@@ -50,6 +50,12 @@ void PathRecorder::add_emission(int path, const RecordedEmission& emission) {
   add(path, emission.contribution);
 }
 
+void PathRecorder::add_medium_emission(int path, const RecordedEmission& emission) {
+  if (!records(path)) return;
+  vertex_of(path).medium_emission = emission;
+  add(path, emission.contribution);
+}
+
 void PathRecorder::add_light(int path, const RecordedLight& light, int connection) {
   if (!records(path)) return;
   RecordedVertex& vertex = vertex_of(path);

@@ -71,6 +71,7 @@ struct RecordedVertex {
   Rgb throughput{0};                                       // on arrival, after absorption along the segment
   bool diffuse = false, glossy = false, specular = false;  // the types of its lobes
   std::optional<RecordedEmission> emission = std::nullopt;
+  std::optional<RecordedEmission> medium_emission = std::nullopt;  // of media on the segment
   std::vector<RecordedLight> lights = {};
   std::vector<RecordedScattering> scattering_samples = {};
 };
@@ -104,6 +105,8 @@ class PathRecorder {
 
   // Emission or environment light that was added to the radiance of the path.
   void add_emission(int path, const RecordedEmission& emission);
+  // Emission of media on the segment that ends at the last vertex.
+  void add_medium_emission(int path, const RecordedEmission& emission);
   // A light sample. `connection` is the number of its shadow ray, or -1 if there is none, and it has been added.
   void add_light(int path, const RecordedLight& light, int connection);
   // The result of a shadow ray. `contribution` was added to the radiance of the path.

@@ -30,9 +30,9 @@ class PathWavefront {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
-  // Random number streams below this number belong to branches of paths, those beyond to lights, the last one to points
-  // on segments in media.
-  static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff;
+  // Random number streams below this number belong to branches of paths, those beyond to lights, the last ones to points
+  // on segments in media and to directions towards emitting media.
+  static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff, kMediumLightStream = 0x3ffffe;
 
   // Removes all paths; `sample` is the index within the pixels' sequences. All paths are cancelled when `keep_going`
   // returns false. `timed`: paths have times.
@@ -82,6 +82,9 @@ class PathWavefront {
       for (int i = 0; i < size_; ++i)
         media_.keep_channel(i, static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
   }
+
+  // Makes the next segments pass scattering media without collisions, or ends that.
+  void ignore_collisions(bool ignore) requires(M::kScattering) { media_.ignore_collisions(size_, ignore); }
 
   // Removes all paths, which must have ended; new ones continue at vertices that are `length` edges from the camera.
   void begin_batch(int length) {
@@ -141,12 +144,12 @@ class PathWavefront {
   // The number of edges from the start of the paths to the current vertices.
   int length() const { return depth_; }
 
-  // The current hits.
   int hit_count() const { return hit_count_; }
   int path_at(int hit) const { return reached_by_[static_cast<size_t>(visited_ + hit)]; }
   PathState<Color>& state_at(int hit) { return state(path_at(hit)); }
   const scene::SurfacePoint& point(int hit) const { return points_[static_cast<size_t>(hit)]; }
   const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
+  Bsdf<M>& bsdf(int hit) { return bsdfs_[static_cast<size_t>(hit)]; }
   const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
   // Whether a current vertex lies in a scattering medium, and its collision, without a phase function on surfaces.
   bool in_volume(int hit) const { return M::kScattering && point(hit).in_volume; }
@@ -190,15 +193,15 @@ class PathWavefront {
   PathColor<M>& color() { return color_; }
 
   // One light sample per current hit, by a strategy that selects a single light.
-  std::span<const LightSample> sample_lights(LightStrategy strategy) {
-    scene_->lights().sample(draw_lights(), light_samples_.data(), strategy);
+  std::span<const LightSample> sample_lights(LightSampling sampling) {
+    scene_->lights().sample(draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
   // One sample of the given source of the light table per current hit; every source but the first has a random number
   // stream of its own.
-  std::span<const LightSample> sample_source(size_t source) {
+  std::span<const LightSample> sample_source(size_t source, LightSampling sampling) {
     select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
-    scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
+    scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
 
@@ -258,6 +261,20 @@ class PathWavefront {
       return media_.survival(path);
     else
       return 1;
+  }
+  // An estimate of the radiance that media emit towards a current hit from a direction, up to the next surface.
+  Rgb radiance_of_media(int hit, const Vec3& direction) requires(M::kScattering) {
+    const auto light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path_at(hit)),
+                                           state_at(hit).time, medium_beyond(hit, direction));
+    rays_traced_ += light.rays;
+    return light.emitted;
+  }
+  // The radiance that media emit towards the start of the segment traced last, nearly exact.
+  Rgb radiance_of_media_on_segment(int path) requires(M::kScattering) {
+    const MediumLightOnRay light = medium_light_on_ray(*scene_, media_.ray(path), segment_seed(path), state(path).time,
+                                                       std::as_const(media_).stack(path), EmissionPoints::of_voxels);
+    rays_traced_ += light.rays;
+    return light.emitted;
   }
   // The segments traced last, in models with scattering media.
   const PathMedia<M>& media() const { return media_; }
@@ -365,7 +382,6 @@ class PathWavefront {
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
   void draw_free_flights();
-  void add_medium_emission(int path, Color throughput, const Color& emitted);
   void shade();
   void compute_points(size_t first, size_t count);
   void build_surface_bsdf(int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf);
@@ -462,27 +478,12 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
-  if constexpr (M::kScattering) {
-    const Color before = path_state.throughput;
-    Color emitted(0);
-    const bool has_vertex = media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
-                                                  scene_->scatters() ? random(vertex_dimension::kFreeFlight, ray) : 0,
-                                                  hit, path_state.throughput, emitted, rays_traced_);
-    if (!is_black(emitted)) add_medium_emission(path, before, emitted);
-    return has_vertex;
-  }
+  if constexpr (M::kScattering)
+    return media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
+                                 scene_->scatters() ? random(vertex_dimension::kFreeFlight, ray) : 0, hit,
+                                 path_state.throughput, rays_traced_);
   return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
                                  rays_traced_);
-}
-
-// Adds radiance that media emit on the segment traced last; `throughput` is that of its start.
-template <class M>
-void PathWavefront<M>::add_medium_emission(int path, Color throughput, const Color& emitted) {
-  if constexpr (M::kClasses) throughput *= shares_.end_share(path);
-  const Color contribution = throughput * emitted;
-  state(path).radiance += contribution;
-  if (recorder_) [[unlikely]]
-    recorder_->add_emission(path, {color_.to_rgb(path, emitted), 1, color_.to_rgb(path, contribution)});
 }
 
 // Draws the numbers of the distances to collisions, by active path. They belong to the vertices that are reached.

@@ -1,6 +1,7 @@
 // A scene that is saved and loaded again is unchanged.
 #include "bsdf/bsdf_model.h"
 #include "image/image.h"
+#include "light/environments/sky.h"
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/shapes.h"
@@ -480,6 +481,36 @@ TEST_F(Saving, LightsOfEveryType) {
   const json file = description(before);
   for (const auto& light : file["extensions"]["KHR_lights_punctual"]["lights"])
     EXPECT_TRUE(light["type"] == "point" || light["type"] == "spot" || light["type"] == "directional");
+}
+
+// The path of a photometric file is stored relative to the scene, and the light emits the same after loading.
+TEST_F(Saving, PhotometricFiles) {
+  std::ofstream(folder_ / "lamp.ies")
+      << "IESNA:LM-63-2002\nTILT=INCLUDE\n1\n2\n0 90\n1 0.5\n1 -1 2 3 1 1 2 0 0 0\n1 1 9\n"
+         "0 45 90\n0\n10 7 1\n";
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  Light light = make_light("photometric");
+  light.set("profile", (folder_ / "lamp.ies").string());
+  scene::add(before, light, {});
+  const scene::Scene after = saved(before);
+  EXPECT_EQ(difference(before, after), "");
+  EXPECT_EQ(before.lights.back().flux(), after.lights.back().flux());
+  EXPECT_GT(after.lights.back().flux().g, 30);
+  const json lights = description(before)["extensions"]["KHR_lights_punctual"]["lights"];
+  EXPECT_NE(lights.dump().find("\"lamp.ies\""), std::string::npos) << lights.dump();
+}
+
+TEST_F(Saving, SkiesOfBothModels) {
+  for (const SkyModel model : {SkyModel::preetham, SkyModel::hosek_wilkie}) {
+    scene::Scene before = scene::find_builtin("cornell")->make();
+    before.environment = make_sky({.model = model,
+                                   .sun_elevation = 0.3f,
+                                   .sun_azimuth = -1,
+                                   .turbidity = least_turbidity(model),
+                                   .ground_albedo = 0.7f,
+                                   .sun_disk = false});
+    EXPECT_EQ(difference(before, saved(before)), "");
+  }
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ class Emitted {
     emission_.finish(integrator::PhotonEmission::kBuild);
   }
 
-  std::span<const photon::Photon> photons() const { return emission_.map().photons(); }
+  std::vector<photon::Photon> photons() const { return emission_.map().photons(); }
   double power() const {
     double sum = 0;
     for (const auto& p : photons()) sum += double{average(p.power())};

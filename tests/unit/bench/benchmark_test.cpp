@@ -84,6 +84,17 @@ TEST(Methods, MayNotChangeTheImage) {
   }
 }
 
+// A diffusion profile may stand for a scattering body of the scene; other models may not.
+TEST(Methods, MayApproximateSubsurfaceScattering) {
+  const auto methods = bench::parse_methods(
+      "path,path:material.0.model=dipole:material.0.dipole.eta=1.5,path:material.0.model=subsurface", cornell(8));
+  ASSERT_TRUE(methods) << methods.error().message;
+  EXPECT_EQ(to_string(*render::get(methods->at(1).document, "material.0.dipole.eta")), "1.5");
+  EXPECT_EQ(to_string(*render::get(methods->at(2).document, "material.0.model")), "subsurface");
+  EXPECT_FALSE(bench::parse_methods("path:material.0.model=mirror", cornell(8)));
+  EXPECT_FALSE(bench::parse_methods("path:material.0.model=dipole:material.0.emission.r=1", cornell(8)));
+}
+
 TEST(PictureKey, DependsOnTheImageOnly) {
   const auto d = cornell(8);
   const uint64_t key = bench::image_key(d);

@@ -80,16 +80,54 @@ TEST(EnvironmentMap, SamplesWithItsDensity) {
   for (const Environment& e :
        {noise(5, 3), noise(16, 8), noise(1, 1), one_bright_texel(3, 2), one_bright_texel(0, 4)}) {
     const EnvironmentMap map(e);
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> unit(0, kOneMinusEpsilon);
-    const auto result = test::chi_square_on_sphere(
-        [&](Vec3& d) {
-          const float x = unit(random);
-          d = map.sample(Vec2(x, unit(random))).direction;
-          return true;
-        },
-        [&](const Vec3& d) { return map.pdf_solid_angle(d); }, 200000);
-    EXPECT_GT(result.p_value, 1e-4) << e.map->width << " x " << e.map->height;
+    for (const bool compensated : {false, true}) {
+      if (compensated && map.compensated_share() == 0) continue;
+      std::mt19937 random(1);
+      std::uniform_real_distribution<float> unit(0, kOneMinusEpsilon);
+      const auto result = test::chi_square_on_sphere(
+          [&](Vec3& d) {
+            const float x = unit(random);
+            d = map.sample(Vec2(x, unit(random)), compensated).direction;
+            return true;
+          },
+          [&](const Vec3& d) { return map.pdf_solid_angle(d, compensated); }, 200000);
+      EXPECT_GT(result.p_value, 1e-4) << e.map->width << " x " << e.map->height << ' ' << compensated;
+    }
+  }
+}
+
+// The share is the closed form for a map whose halves have the radiances 0 and 2 in longitude: mean 1, so half of the
+// flux exceeds it. Interpolation between the halves has little weight in a wide map.
+TEST(EnvironmentMap, CompensatedSamplesCoverWhatExceedsTheMean) {
+  const EnvironmentMap map(environment(256, 8, [](int x, int) { return Rgb(x < 128 ? 0.0f : 2.0f); }));
+  EXPECT_NEAR(map.compensated_share(), 0.5f, 0.01f);
+  for (int i = 0; i < 1000; ++i) {
+    const auto s = map.sample(spread(i), true);
+    EXPECT_GT(map.radiance(s.direction).r, 0);  // at least one texel beside it is bright
+    EXPECT_NEAR(map.pdf_solid_angle(s.direction, true), s.pdf_solid_angle, 1e-2f * s.pdf_solid_angle);
+  }
+  EXPECT_EQ(map.pdf_solid_angle(direction_at(0.25f, 0.5f), true), 0);
+}
+
+TEST(EnvironmentMap, NearlyUniformRadianceIsLeftToBsdfSamples) {
+  Environment constant;
+  constant.tint = Rgb(3);
+  EXPECT_EQ(EnvironmentMap(constant).compensated_share(), 0);
+  EXPECT_EQ(EnvironmentMap(constant).pdf_solid_angle({1, 0, 0}, true), 0);
+  const EnvironmentMap map(environment(16, 8, [](int x, int) { return Rgb(x % 2 == 0 ? 1.0f : 1.02f); }));
+  EXPECT_EQ(map.compensated_share(), 0);
+  EXPECT_GT(map.pdf_solid_angle({1, 0, 0}), 0);
+}
+
+// A sun that has most of the flux takes all compensated samples: its radiance raises the mean above that of the sky.
+TEST(EnvironmentMap, CompensatedSamplesFindTheSun) {
+  Environment e = environment(16, 8, [](int x, int y) { return Rgb(1 + 0.1f * static_cast<float>((x + y) % 3)); });
+  e.sun = SunDisk{.direction = {0, 1, 0}, .radiance = Rgb(1e5f), .angular_radius = 0.01f};
+  const EnvironmentMap map(e);
+  for (int i = 0; i < 100; ++i) {
+    const auto s = map.sample(spread(i), true);
+    EXPECT_GT(s.direction.y, std::cos(0.011f));
+    EXPECT_NEAR(s.pdf_solid_angle * kPi * sqr(0.01f), 1, 1e-3f);
   }
 }
 

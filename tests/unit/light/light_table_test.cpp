@@ -112,6 +112,39 @@ TEST(LightTable, SourcesAreInstancesPlacedLightsAndTheEnvironment) {
   }
 }
 
+// A uniform environment is left to BSDF samples: all compensated samples go to the other lights.
+TEST(LightTable, CompensatedSamplesLeaveOutAUniformEnvironment) {
+  const LightTable table(ceiling(), {point_light()}, test::constant_environment(0.01f), scene_bounds());
+  const LightTable without(ceiling(), {point_light()}, test::constant_environment(0), scene_bounds());
+  for (const LightStrategy strategy : {LightStrategy::one, LightStrategy::tree, LightStrategy::automatic}) {
+    Receivers receivers = receivers_around(Vec3(0.5f));
+    const auto sampling = LightSampling::compensated(strategy);
+    std::vector<LightSample> samples(Receivers::kCount);
+    table.sample(receivers.queries(), samples.data(), sampling);
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const Vec3 from = receivers.from[i];
+      EXPECT_NE(samples[i].kind, LightKind::environment);
+      EXPECT_FLOAT_EQ(table.probability(samples[i].light, from, sampling),
+                      without.probability(samples[i].light, from, strategy));
+      EXPECT_EQ(table.pdf_environment(from, samples[i].wi, sampling), 0);
+      EXPECT_GT(table.pdf_environment(from, samples[i].wi, strategy), 0);
+    }
+  }
+  EXPECT_EQ(table.source_count(LightSampling::compensated(LightStrategy::every)), table.source_count() - 1);
+}
+
+// Only the environment emits, uniformly.
+TEST(LightTable, CompensatedSamplesCanBeNone) {
+  const LightTable table({}, {}, test::constant_environment(1), scene_bounds());
+  const auto sampling = LightSampling::compensated(LightStrategy::automatic);
+  EXPECT_FALSE(table.empty());
+  EXPECT_TRUE(table.empty(sampling));
+  Receivers receivers = receivers_around(Vec3(0.5f));
+  std::vector<LightSample> samples(Receivers::kCount);
+  table.sample(receivers.queries(), samples.data(), sampling);
+  for (const LightSample& s : samples) EXPECT_EQ(s.pdf, 0);
+}
+
 TEST(LightTable, HasNoSamplesWithoutLights) {
   const LightTable table({}, {}, test::constant_environment(0), scene_bounds());
   Receivers receivers = receivers_around(Vec3(0.5f));

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <numbers>
 #include <random>
 
 #include "base/warp.h"
 #include "light/photometry_source.h"
+#include "light/types/photometric_light.h"
 
 namespace etendue {
 namespace {
@@ -19,7 +22,7 @@ constexpr double kPiD = std::numbers::pi;
 struct FileOptions {
   std::string header = "IESNA:LM-63-2002\n[TEST] none\nTILT=NONE\n";
   int type = 1;
-  std::string multiplier = "1", ballast = "1";
+  std::string multiplier = "1", ballast = "1", photometric_factor = "1", lumens = "1000";
 };
 
 std::vector<double> steps(double first, double last, double step) {
@@ -31,9 +34,10 @@ std::vector<double> steps(double first, double last, double step) {
 // A file with the intensity of a function of the vertical and the horizontal angle in degrees.
 std::string file(const std::vector<double>& vertical, const std::vector<double>& horizontal,
                  const std::function<double(double, double)>& candela, const FileOptions& options = {}) {
-  std::string text = options.header + "1 1000 " + options.multiplier + " " + std::to_string(vertical.size()) + " " +
-                     std::to_string(horizontal.size()) + " " + std::to_string(options.type) + " 2 0.1 0.1 0\n" +
-                     options.ballast + " 1 50\n";
+  std::string text = options.header + "1 " + options.lumens + " " + options.multiplier + " " +
+                     std::to_string(vertical.size()) + " " + std::to_string(horizontal.size()) + " " +
+                     std::to_string(options.type) + " 2 0.1 0.1 0\n" + options.ballast + " " +
+                     options.photometric_factor + " 50\n";
   for (const double v : vertical) text += std::to_string(v) + " ";
   text += "\n";
   for (const double h : horizontal) text += std::to_string(h) + ",";
@@ -148,6 +152,72 @@ TEST(PhotometryProfile, SamplesWithItsDensity) {
 TEST(PhotometryProfile, ScalesByMultiplierAndBallast) {
   const auto one = [](double, double) { return 10.0; };
   EXPECT_NEAR(of(parsed(file({0, 180}, {0}, one, {.multiplier = "2.5", .ballast = "0.8"})), {0, 0, -1}), 20, 1e-3);
+}
+
+// Candela values are absolute: lumens of -1 mark absolute photometry and change nothing. Standards before 1995 define a
+// photometric factor; later ones reserve its place.
+TEST(PhotometryProfile, FactorsOfTheStandards) {
+  const auto one = [](double, double) { return 10.0; };
+  const auto axis = [&](const char* header, const char* photometric_factor, const char* lumens) {
+    return of(parsed(file({0, 180}, {0}, one,
+                          {.header = std::string(header) + "TILT=NONE\n",
+                           .photometric_factor = photometric_factor,
+                           .lumens = lumens})),
+              {0, 0, -1});
+  };
+  for (const char* header : {"IESNA:LM-63-1995\n", "IESNA:LM-63-2002\n[TEST] x\n", "IES:LM-63-2019\n"}) {
+    EXPECT_NEAR(axis(header, "0.5", "1000"), 10, 1e-4) << header;
+    EXPECT_NEAR(axis(header, "1", "-1"), 10, 1e-4) << header;
+  }
+  for (const char* header : {"", "A luminaire of 1986\n", "IESNA91\n[TEST] x\n"})
+    EXPECT_NEAR(axis(header, "0.5", "1000"), 5, 1e-4) << header;
+}
+
+// The factors of the TILT data are interpolated between their angles, in the file or in a file beside it.
+TEST(PhotometryProfile, TiltFactors) {
+  const auto one = [](double, double) { return 10.0; };
+  const char* data = "1\n3\n0 45 90\n1 0.9 0.5\n";
+  const auto folder = std::filesystem::temp_directory_path() / "etendue-tilt-data";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "lamp.tlt") << data;
+  std::ofstream(folder / "lamp.ies") << file({0, 180}, {0}, one, {.header = "IESNA91\nTILT=lamp.tlt\n"});
+  const auto beside = read_photometry(folder / "lamp.ies");
+  ASSERT_TRUE(beside) << beside.error().message;
+  const auto included = parsed(file({0, 180}, {0}, one, {.header = std::string("IESNA91\nTILT = INCLUDE\n") + data}));
+  const auto none = parsed(file({0, 180}, {0}, one));
+  for (const PhotometryProfile* p : {&*beside, &included}) {
+    EXPECT_NEAR(p->tilt_factor(0), 1, 1e-6);
+    EXPECT_NEAR(p->tilt_factor(kPi / 8), 0.95, 1e-6);
+    EXPECT_NEAR(p->tilt_factor(kPi / 2), 0.5, 1e-6);
+    EXPECT_NEAR(p->tilt_factor(kPi), 0.5, 1e-6);
+    EXPECT_NEAR(of(*p, {0, 0, -1}), 10, 1e-4);
+  }
+  EXPECT_EQ(none.tilt_factor(1), 1);
+
+  // A light that points down has its full intensity, a horizontal one half of it, unless the factors are switched off.
+  PhotometricLight light;
+  light.profile.value = (folder / "lamp.ies").string();
+  for (const bool tilt : {true, false}) {
+    light.tilt.value = tilt;
+    for (const Vec3& direction : {Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
+      LightPlace place;
+      place.direction = direction;
+      place.tangent = {0, 0, 1};
+      const double expected = tilt && direction.y == 0 ? 5 : 10;
+      EXPECT_NEAR(light.emitter(Rgb(1)).emitted(place, direction, 1).g, expected, 1e-4) << tilt << direction.y;
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(PhotometryProfile, ErrorsInTiltData) {
+  EXPECT_EQ(error_of("TILT=missing.tlt\n1 1000"),
+            "light.ies: line 2: the file 'missing.tlt' with the TILT data cannot be read; put it beside this file, or "
+            "write TILT=NONE");
+  EXPECT_NE(error_of("TILT=INCLUDE\n4\n").find("from 1 to 3"), std::string::npos);
+  EXPECT_NE(error_of("TILT=INCLUDE\n1\n2\n90 0\n1 1\n").find("larger than the one before it"), std::string::npos);
+  EXPECT_NE(error_of("TILT=INCLUDE\n1\n2\n0 90\n1 -1\n").find("between 0 and 10"), std::string::npos);
+  EXPECT_NE(error_of("TILT=INCLUDE\n1\n2\n0").find("the file ends before a tilt angle"), std::string::npos);
 }
 
 TEST(PhotometryProfile, SkipsKeywordsAndTiltData) {

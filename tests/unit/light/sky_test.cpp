@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <cmath>
 
+#include "light/environments/hosek_sky.h"
 #include "light/sampling/environment_map.h"
 #include "light/sampling/environment_portals.h"
 #include "unit/light/light_queries.h"
@@ -138,6 +141,68 @@ TEST(SunCone, LimbDarkening) {
   }
   EXPECT_NEAR(sum / kSamples, 5, 0.05);
   EXPECT_NEAR(1 / (sun.pdf({0, 1, 0}) * sun.solid_angle()), 1, 1e-5);
+}
+
+// X, Y and Z divided by 683 lm/W as computed by the authors' own implementation, version 1.4a.
+struct HosekValue {
+  float elevation, turbidity, albedo;
+  double theta, gamma;
+  std::array<double, 3> xyz;
+};
+const HosekValue kHosekValues[] = {
+    {0.05, 1, 0, 0, 0.1, {1.32986323, 1.39213494, 1.78168431}},
+    {0.05, 1, 1, 1.5, 1, {6.56004377, 7.09499979, 4.63360549}},
+    {0.05, 2.3, 0.35, 0.9, 2.4, {2.01240186, 2.21550298, 2.73811999}},
+    {0.05, 7.5, 0, 0, 0.1, {3.50978385, 3.34198858, 2.37222379}},
+    {0.05, 7.5, 1, 1.5, 1, {4.0201087, 4.12167222, 2.91162635}},
+    {0.05, 10, 0.35, 0.9, 2.4, {2.28576482, 2.40680366, 2.30221036}},
+    {0.5, 1, 0, 0, 0.1, {3.23091748, 3.29599982, 7.20817072}},
+    {0.5, 1, 1, 1.5, 1, {22.9286253, 25.3487347, 34.126354}},
+    {0.5, 2.3, 0.35, 0.9, 2.4, {5.60845148, 5.97818176, 11.2817891}},
+    {0.5, 7.5, 0, 0, 0.1, {35.5807134, 37.2338669, 33.2043385}},
+    {0.5, 7.5, 1, 1.5, 1, {28.7715175, 30.2734878, 30.4057257}},
+    {0.5, 10, 0.35, 0.9, 2.4, {5.52523924, 5.72509054, 8.94901782}},
+    {1.2, 1, 0, 0, 0.1, {4.34116212, 4.39456711, 9.50297415}},
+    {1.2, 1, 1, 1.5, 1, {34.3437394, 37.3519409, 56.8862412}},
+    {1.2, 2.3, 0.35, 0.9, 2.4, {6.82062099, 7.13769263, 15.3941669}},
+    {1.2, 7.5, 0, 0, 0.1, {51.2579623, 54.8586059, 56.6889792}},
+    {1.2, 7.5, 1, 1.5, 1, {45.343054, 48.1643311, 55.7811958}},
+    {1.2, 10, 0.35, 0.9, 2.4, {9.4854251, 10.4944751, 14.2367558}},
+};
+
+TEST(HosekSky, EqualsTheImplementationOfItsAuthors) {
+  for (const HosekValue& v : kHosekValues) {
+    Sky sky{.model = SkyModel::hosek_wilkie};
+    sky.sun_elevation = v.elevation;
+    sky.turbidity = v.turbidity;
+    sky.ground_albedo = v.albedo;
+    const auto xyz = HosekSky(sky).xyz(std::cos(v.theta), v.gamma);
+    for (size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(xyz[c] / 683, v.xyz[c], 2e-6 * v.xyz[c])
+          << v.elevation << ' ' << v.turbidity << ' ' << v.albedo << ' ' << c;
+  }
+}
+
+// The luminance of a map is that of the model. A bright ground brightens the sky, and haze the surroundings of the sun.
+TEST(HosekSky, IsAnEnvironment) {
+  Sky sky = sky_at(40);
+  sky.model = SkyModel::hosek_wilkie;
+  const Environment environment = make_sky(sky);
+  EXPECT_EQ(environment.file, "hosek-sky");
+  EXPECT_EQ(make_environment(*find_builtin_environment("hosek-sky")).sky->model, SkyModel::hosek_wilkie);
+  const EnvironmentMap map(environment);
+  const Vec3 up = glm::normalize(Vec3(0.2f, 1, -0.3f));
+  EXPECT_NEAR(y_of(map.radiance(up)), y_of(sky_radiance(sky, up)), 0.01 * y_of(map.radiance(up)));
+
+  const double illuminance = horizontal_illuminance(sky);
+  EXPECT_GT(illuminance, 7'000);
+  EXPECT_LT(illuminance, 25'000);
+  Sky snow = sky, haze = sky;
+  snow.ground_albedo = 0.9f;
+  haze.turbidity = 8;
+  EXPECT_GT(horizontal_illuminance(snow), 1.05 * illuminance);
+  EXPECT_GT(y_of(sky_radiance(haze, sun_direction(haze))), 2 * y_of(sky_radiance(sky, sun_direction(sky))));
+  EXPECT_FALSE(make_sky(sky) == make_sky(sky_at(40)));
 }
 
 EnvironmentPortals two_portals() {

@@ -7,7 +7,7 @@
 
 #include "base/hash.h"
 #include "medium/density_field.h"
-#include "medium/nanovdb_reader.h"
+#include "medium/grid_file.h"
 #include "support/nanovdb_file.h"
 
 namespace etendue {
@@ -28,13 +28,13 @@ float plane(int x, int y, int z) {
 }
 
 std::string error_of(std::vector<std::byte> bytes) {
-  const auto read = parse_nanovdb(bytes, "smoke.nvdb");
+  const auto read = parse_grid_file(bytes, "smoke.nvdb");
   return read ? "" : read.error().message;
 }
 
 TEST_F(Nanovdb, ValuesOfVoxels) {
   const auto bytes = nanovdb_bytes({{"density", {9, 12, 5}, plane}});
-  const auto values = parse_nanovdb(bytes, "smoke.nvdb");
+  const auto values = parse_grid_file(bytes, "smoke.nvdb");
   ASSERT_TRUE(values) << values.error().message;
   ASSERT_EQ(values->nodes, (GridSize{9, 12, 5}));
   EXPECT_TRUE(values->temperature.empty());
@@ -50,7 +50,7 @@ TEST_F(Nanovdb, GridsAreChosenByName) {
       nanovdb_bytes({{"heat", {4, 4, 4}, [](int, int, int) { return 7.0f; }},
                      {"temperature", {4, 4, 4}, [](int x, int, int) { return 500.0f * static_cast<float>(x); }},
                      {"density", {4, 4, 4}, [](int, int, int) { return 2.0f; }}});
-  const auto values = parse_nanovdb(bytes, "smoke.nvdb");
+  const auto values = parse_grid_file(bytes, "smoke.nvdb");
   ASSERT_TRUE(values) << values.error().message;
   EXPECT_EQ(values->density.front(), 2);
   ASSERT_EQ(values->temperature.size(), values->density.size());
@@ -62,7 +62,7 @@ TEST_F(Nanovdb, InvalidVoxelsBecomeZero) {
   const auto bytes = nanovdb_bytes({{"density", {4, 4, 4}, [](int x, int y, int) {
                                        return x == 1 ? NAN : x == 2 ? -1.0f : y == 1 ? INFINITY : 1.0f;
                                      }}});
-  const auto values = parse_nanovdb(bytes, "smoke.nvdb");
+  const auto values = parse_grid_file(bytes, "smoke.nvdb");
   ASSERT_TRUE(values) << values.error().message;
   for (size_t i = 0; i < values->density.size(); ++i)
     EXPECT_EQ(values->density[i], i % 4 >= 2 && i / 4 % 4 > 0 ? 1 : 0);
@@ -84,7 +84,7 @@ TEST_F(Nanovdb, DamagedFiles) {
       const size_t at = i % 2 == 0 ? h % 1200 : h % damaged.size();
       damaged[at] = static_cast<std::byte>(h >> 24);
     }
-    const auto read = parse_nanovdb(damaged, "smoke.nvdb");
+    const auto read = parse_grid_file(damaged, "smoke.nvdb");
     if (!read) continue;
     for (const float v : read->density) ASSERT_TRUE(v >= 0 && std::isfinite(v));
   }
@@ -105,7 +105,7 @@ TEST_F(Nanovdb, HugeGridsAreRefused) {
 TEST_F(Nanovdb, OtherFilesAreRefused) {
   std::vector<std::byte> text(100, std::byte{'x'});
   EXPECT_NE(error_of(text).find("is not a NanoVDB file"), std::string::npos);
-  EXPECT_NE(read_nanovdb("/nonexistent/smoke.nvdb").error().message.find("cannot be opened"), std::string::npos);
+  EXPECT_NE(load_grid_file("/nonexistent/smoke.nvdb").error().message.find("cannot be read"), std::string::npos);
 }
 
 TEST_F(Nanovdb, AsADensity) {

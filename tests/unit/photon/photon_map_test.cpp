@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "base/warp.h"
@@ -103,30 +103,36 @@ TEST(Photon, BatchPackingEqualsSinglePacking) {
 
 TEST(Photon, StoresItsValues) {
   Photon p({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, Rgb(4, 5, 6), 17, 63);
-  p.set_axis(2);
   EXPECT_EQ(p.position(), Vec3(1, 2, 3));
   EXPECT_EQ(p.power(), Rgb(4, 5, 6));
   EXPECT_EQ(p.length(), 17);
   EXPECT_EQ(p.state(), 63);
-  EXPECT_EQ(p.axis(), 2);
   EXPECT_GT(p.normal().y, 0.9999f);
   EXPECT_GT(p.direction().z, 0.9999f);
   EXPECT_EQ(Photon({}, kUp, kUp, Rgb(1), 1000).length(), Photon::kMaxLength);
 }
 
-TEST(PhotonMap, SplittingPlanesSeparateABalancedTree) {
-  for (const size_t count : {1U, 2U, 3U, 4U, 7U, 8U, 100U, 1000U, 4095U, 4096U, 5000U}) {
+std::vector<std::array<float, 4>> sorted_values(size_t count, const std::function<Photon(size_t)>& photon) {
+  std::vector<std::array<float, 4>> values;
+  for (size_t i = 0; i < count; ++i) {
+    const Photon p = photon(i);
+    values.push_back({p.position().x, p.position().y, p.position().z, p.normal().y});
+  }
+  std::ranges::sort(values);
+  return values;
+}
+
+TEST(PhotonMap, LeavesHoldEveryPhotonOnceInABalancedTree) {
+  for (const size_t count : {1U, 2U, 15U, 16U, 17U, 32U, 33U, 100U, 1000U, 4095U, 4096U, 4097U, 5000U}) {
+    const auto photons = cloud(count, 7);
     PhotonMap map;
-    map.build(cloud(count, 7));
+    map.build(photons);
     ASSERT_EQ(map.size(), count);
-    // All indices of the heap are in use, so the depth is ceil(log2(count + 1)).
-    const auto position = [&](size_t node) { return map[node - 1].position(); };
-    for (size_t node = 2; node <= count; ++node)
-      for (size_t below = node; below > 1; below /= 2) {
-        const int axis = map[below / 2 - 1].axis();
-        const float plane = position(below / 2)[axis], here = position(node)[axis];
-        ASSERT_TRUE(below % 2 == 0 ? here <= plane : here >= plane) << count << ' ' << node;
-      }
+    const size_t leaves = (count + 15) / 16;
+    EXPECT_EQ(map.height(), static_cast<int>(std::ceil(std::log2(static_cast<double>(leaves)))));
+    EXPECT_EQ(sorted_values(count, [&](size_t i) { return map[i]; }),
+              sorted_values(count, [&](size_t i) { return photons[i]; }))
+        << count;
   }
 }
 

@@ -20,12 +20,12 @@ Document over_floor(scene::Scene scene) {
   return d;
 }
 
-MeterReadings read(const Document& d, uint32_t samples = 512) {
+MeterReadings read(const Document& d, uint32_t samples = 512, float sensor_size = 0) {
   const auto scene = scene::compile(d.scene, d.camera, nullptr);
   const auto spot = meter_point_at(d, *scene, Vec2(32));
   EXPECT_TRUE(spot);
   MeterReadings last;
-  measure_light(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
+  measure_light(d, scene, *spot, {samples, 1, sensor_size}, [&](const MeterReadings& m) { return last = m, true; });
   return last;
 }
 
@@ -86,10 +86,16 @@ TEST(Meter, SquareReceivesFlux) {
   scene::Scene scene;
   scene.environment.tint = Rgb(1);
   const Document d = over_floor(std::move(scene));
-  const auto compiled = scene::compile(d.scene, d.camera, nullptr);
-  const auto point = meter_point_at(d, *compiled, Vec2(32));
-  ASSERT_TRUE(point);
-  expect(measure_received_flux(d, *compiled, *point, 1.5f, 64, 1), 2.25 * 3.14159265);
+  const auto m = read(d, 64, 1.5f);
+  ASSERT_TRUE(m.received_flux);
+  expect(*m.received_flux, 2.25 * 3.14159265);
+  EXPECT_FALSE(read(d, 4).received_flux);
+
+  // Around the point, and counter-clockwise as seen from the camera.
+  const auto corners = sensor_corners(m.point, 1.5f);
+  const Vec3 area = glm::cross(corners[1] - corners[0], corners[3] - corners[0]);
+  EXPECT_NEAR(glm::dot(area, m.point.normal), 2.25f, 1e-5f);
+  EXPECT_LT(glm::distance(0.5f * (corners[0] + corners[2]), m.point.position), 1e-5f);
 }
 
 // A constant environment of radiance one has irradiance pi on a floor without occluders.

@@ -52,10 +52,10 @@ class TransportReader {
 };
 
 Sky read_sky(TransportReader& reader, const Sky& defaults) {
-  Sky sky;
+  Sky sky = defaults;
   sky.sun_elevation = reader.number("sunElevation", defaults.sun_elevation, 0, kPi / 2);
   sky.sun_azimuth = reader.number("sunAzimuth", defaults.sun_azimuth, -2 * kPi, 2 * kPi);
-  sky.turbidity = reader.number("turbidity", defaults.turbidity, kLeastTurbidity, kLargestTurbidity);
+  sky.turbidity = reader.number("turbidity", defaults.turbidity, least_turbidity(sky.model), kLargestTurbidity);
   sky.ground_albedo = reader.number("groundAlbedo", defaults.ground_albedo, 0, 1);
   sky.sun_disk = reader.flag("sunDisk", defaults.sun_disk);
   return sky;

@@ -14,10 +14,10 @@
 
 namespace etendue {
 
-class DiffusionProfile {
+class NormalizedDiffusion {
  public:
-  // In metres, positive; the albedo is in [0, 1].
-  DiffusionProfile(float mean_free_path, float albedo)
+  // `mean_free_path` is l in metres, positive; `albedo` is A in [0, 1].
+  NormalizedDiffusion(float mean_free_path, float albedo)
       : d_(mean_free_path / (1.9f - albedo + 3.5f * sqr(albedo - 0.8f))) {}
 
   // Beyond this radius lies a share of 2e-4 of the light, which is neglected.

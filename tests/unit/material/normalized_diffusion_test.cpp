@@ -1,5 +1,5 @@
 // The normalised diffusion profile of subsurface scattering.
-#include "bsdf/diffusion_profile.h"
+#include "bsdf/diffusion/normalized_diffusion.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace etendue {
 namespace {
 
 // The integral of R / A over the plane within a radius, by the midpoint rule in the square root of the radius.
-double share_within(const DiffusionProfile& profile, double radius) {
+double share_within(const NormalizedDiffusion& profile, double radius) {
   constexpr int kSteps = 20'000;
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -19,17 +19,17 @@ double share_within(const DiffusionProfile& profile, double radius) {
   return sum;
 }
 
-TEST(DiffusionProfile, IntegratesToOne) {
+TEST(NormalizedDiffusion, IntegratesToOne) {
   for (const float length : {1e-6f, 1e-3f, 2.0f})
     for (const float albedo : {0.0f, 0.3f, 0.8f, 1.0f}) {
-      const DiffusionProfile profile(length, albedo);
+      const NormalizedDiffusion profile(length, albedo);
       EXPECT_NEAR(share_within(profile, static_cast<double>(profile.largest_radius())), 1, 1e-3) << length << albedo;
     }
 }
 
 // The share of the light within a sampled radius is the random number.
-TEST(DiffusionProfile, SampledRadiiFollowTheDistribution) {
-  const DiffusionProfile profile(0.01f, 0.6f);
+TEST(NormalizedDiffusion, SampledRadiiFollowTheDistribution) {
+  const NormalizedDiffusion profile(0.01f, 0.6f);
   constexpr int kSamples = 4000;
   for (const double radius : {0.002, 0.01, 0.03, 0.1}) {
     int within = 0;
@@ -40,9 +40,9 @@ TEST(DiffusionProfile, SampledRadiiFollowTheDistribution) {
 }
 
 // A higher albedo means more scattering events, and a wider profile at the same mean free path.
-TEST(DiffusionProfile, WidensWithTheAlbedo) {
-  EXPECT_GT(DiffusionProfile(1, 0.9f).largest_radius(), DiffusionProfile(1, 0.2f).largest_radius());
-  EXPECT_NEAR(DiffusionProfile(2, 0.5f).largest_radius() / DiffusionProfile(1, 0.5f).largest_radius(), 2, 1e-5);
+TEST(NormalizedDiffusion, WidensWithTheAlbedo) {
+  EXPECT_GT(NormalizedDiffusion(1, 0.9f).largest_radius(), NormalizedDiffusion(1, 0.2f).largest_radius());
+  EXPECT_NEAR(NormalizedDiffusion(2, 0.5f).largest_radius() / NormalizedDiffusion(1, 0.5f).largest_radius(), 2, 1e-5);
 }
 
 }  // namespace
