@@ -50,8 +50,8 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
         .scattering_media = true,
-        .ignores_portals = true,
         .emitting_media = true,
+        .ignores_portals = true,
     };
   }
 
