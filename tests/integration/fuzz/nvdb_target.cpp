@@ -10,7 +10,8 @@ namespace etendue::fuzz {
 namespace {
 
 void read(Input input) {
-  const auto values = parse_nanovdb(input, "input.nvdb");
+  constexpr size_t kMostVoxels = size_t{1} << 24;
+  const auto values = parse_nanovdb(input, "input.nvdb", kMostVoxels);
   if (!values) return;
   const auto valid = [](float v) { return v >= 0 && std::isfinite(v); };
   require(std::ranges::all_of(values->density, valid), "a density is negative or not finite");
