@@ -30,14 +30,18 @@ double radiance_of_d65(double wavelength) {
   return scale * d65_at(wavelength);
 }
 
-// Weighted means of the samples in each interval. The weight is one over the density of the wavelength.
+// Weighted means of the samples in each interval, relative to D65 in its middle. The weight is one over the density of
+// the wavelength.
 class SpectralBins {
  public:
   void add(const integrator::SpectralSample& sample) {
     for (size_t i = 0; i < sample.wavelengths.nm.size(); ++i) {
       const double at = (static_cast<double>(sample.wavelengths.nm[i]) - kFirstWavelength) / kWavelengthStep;
-      Bin& bin = bins_[std::min(static_cast<size_t>(std::max(at, 0.0)), MeasuredSpectrum::kBins - 1)];
-      const auto value = static_cast<double>(sample.radiance.values[i]);
+      const size_t number = std::min(static_cast<size_t>(std::max(at, 0.0)), MeasuredSpectrum::kBins - 1);
+      Bin& bin = bins_[number];
+      const double d65 =
+          d65_at(static_cast<double>(sample.wavelengths.nm[i])) / d65_at(MeasuredSpectrum::wavelength(number));
+      const auto value = static_cast<double>(sample.radiance.values[i]) * d65;
       const auto weight = static_cast<double>(sample.wavelengths.inverse_pdf[i]);
       if (!std::isfinite(value)) continue;
       bin.weight += weight;

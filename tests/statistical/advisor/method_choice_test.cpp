@@ -165,7 +165,8 @@ TEST(MethodChoice, AShortTimeLimitKeepsTheIntegrator) {
 
 // No integrator renders a scattering medium with wavelengths.
 TEST(MethodChoice, FailsIfNoIntegratorIsAllowed) {
-  auto d = builtin("fog", 16);
+  // Diffusion profiles are not spectral.
+  auto d = test::changed(builtin("wax", 16), "material.1.model", "subsurface");
   d.method.color = transport::ColorMode::spectral;
   render::Session session({2});
   const auto choice = advisor::choose_method(session, d, never_cancel);
