@@ -163,9 +163,8 @@ TEST(MethodChoice, AShortTimeLimitKeepsTheIntegrator) {
   EXPECT_TRUE(choice.by_time);
 }
 
-// No integrator renders a scattering medium with wavelengths.
+// No integrator renders a diffusion profile with wavelengths.
 TEST(MethodChoice, FailsIfNoIntegratorIsAllowed) {
-  // Diffusion profiles are not spectral.
   auto d = test::changed(builtin("wax", 16), "material.1.model", "subsurface");
   d.method.color = transport::ColorMode::spectral;
   render::Session session({2});
