@@ -45,7 +45,8 @@ struct RenderArguments {
   double exposure = NAN;
 };
 
-// The fraction of the time limit that remains for the rendering if the choice of the integrator took longer than planned.
+// The fraction of the time limit that remains for the rendering if the choice of the integrator took longer than
+// planned.
 constexpr double kLeastRemainingTime = 0.5;
 
 // The document to render, and the samples that exist already.

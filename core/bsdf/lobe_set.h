@@ -185,8 +185,8 @@ class LobeSet {
     return true;
   }
 
-  // The probabilities with which `sample` selects the lobes. They sum to 1; equal for all lobes if every sampling weight
-  // is 0.
+  // The probabilities with which `sample` selects the lobes. They sum to 1; equal for all lobes if every sampling
+  // weight is 0.
   Probabilities selection_probabilities(const Vec3& wo) const {
     Probabilities selection{1};
     if (count_ < 2) return selection;

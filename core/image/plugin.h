@@ -8,9 +8,7 @@
 
 namespace etendue::image {
 
-// The plugin; the first call loads it. It is searched for in the folder that the environment variable
-// ETENDUE_PLUGIN_PATH names, or, if that is not set, in the folder of the program and in ../lib/etendue relative to it.
-// The error says what to install.
+// The plugin; the first call loads it from plugin_folders(). The error says what to install.
 Result<const ImagePlugin*> image_plugin();
 
 // Loads the plugin from the first of these folders that has it.

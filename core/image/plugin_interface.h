@@ -63,8 +63,8 @@ class ImagePlugin {
   ~ImagePlugin() = default;
 };
 
-// The plugin exports a function of this type and name. It returns null if `version` is not its kPluginVersion.
-using GetImagePlugin = const ImagePlugin* (*)(int version);
+// The plugin exports `const void* etendue_image_plugin(int version)` (base/load_plugin.h), whose result points to an
+// ImagePlugin.
 inline constexpr const char* kGetImagePlugin = "etendue_image_plugin";
 
 }  // namespace etendue::image

@@ -21,8 +21,8 @@ namespace etendue {
 
 class PhotometryProfile {
  public:
-  // A profile by a function of the vertical and the horizontal angle of type C, in radians, at steps of one degree up to
-  // 180, and of 10 degrees around.
+  // A profile by a function of the vertical and the horizontal angle of type C, in radians, at steps of one degree up
+  // to 180, and of 10 degrees around.
   static PhotometryProfile sampled(float (*intensity)(float vertical, float horizontal));
 
   // cd, in a unit direction.

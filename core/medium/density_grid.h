@@ -1,8 +1,8 @@
 // A density sampled at the nodes of a regular grid, with bounds of coarse cells for delta tracking.
 //
-// The grid fills the unit cube: the nodes of an axis lie at equal distances from 0 to 1, and the density between them is
-// trilinear. Coarse cells consist of several voxels. Their bounds hold for every point of the cell, because trilinear
-// interpolation stays between the values at the nodes.
+// The grid fills the unit cube: the nodes of an axis lie at equal distances from 0 to 1, and the density between them
+// is trilinear. Coarse cells consist of several voxels. Their bounds hold for every point of the cell, because
+// trilinear interpolation stays between the values at the nodes.
 #pragma once
 #include <array>
 #include <vector>
@@ -60,13 +60,13 @@ class DensityGrid {
              [&](float from, float to, size_t cell) { return visit(from, to, cells_[cell]); });
   }
 
-  // Calls visit(from, to, cell) for the cells of a division of the unit cube along a clipped ray, until it returns false.
-  // Cells are numbered with x varying fastest.
+  // Calls visit(from, to, cell) for the cells of a division of the unit cube along a clipped ray, until it returns
+  // false. Cells are numbered with x varying fastest.
   template <class Visit>
   static void traverse(const GridRay& ray, const Vec3& cells_per_unit, const GridSize& counts, Visit&& visit);
 
-  // The integral of the density over the parameter of a clipped ray. Exact up to rounding: along a ray, the density in a
-  // voxel is a cubic polynomial.
+  // The integral of the density over the parameter of a clipped ray. Exact up to rounding: along a ray, the density in
+  // a voxel is a cubic polynomial.
   double integral(const GridRay& ray) const;
 
  private:

@@ -7,8 +7,8 @@
 //   collision at t      density  sum_c P_c sigma_t,c exp(-tau_c(t))      weight  sigma_s exp(-tau(t)) / density
 //   no collision        probability  sum_c P_c exp(-tau_c(d))            weight  exp(-tau(d)) / probability
 //
-// A path may also keep one channel, which is chosen before it starts. P_c is then the relative density of the path so far
-// in channel c, so that the densities of whole paths are combined by the balance heuristic, as in hero wavelength
+// A path may also keep one channel, which is chosen before it starts. P_c is then the relative density of the path so
+// far in channel c, so that the densities of whole paths are combined by the balance heuristic, as in hero wavelength
 // sampling [Wilkie et al. 2014]. In media with the same albedo in all channels, both ways generate the same paths with
 // the same weights, because the throughput of a channel is then proportional to that density. A kept channel can be
 // stratified over the samples of a pixel.
@@ -23,8 +23,8 @@
 //   prod over null collisions (m - r_i) sigma_t,c   times   r sigma_t,c exp(-sigma_t,c int m)
 //
 // with the extinction coefficient sigma_t,c at density 1. The same combination of channels by the balance heuristic
-// applies [Miller et al. 2019]; the factors (m - r_i) cancel, and log(sigma_t,c) is subtracted from the optical depth of
-// channel c at every null collision. A collision in a grid of constant density is therefore that of the homogeneous
+// applies [Miller et al. 2019]; the factors (m - r_i) cancel, and log(sigma_t,c) is subtracted from the optical depth
+// of channel c at every null collision. A collision in a grid of constant density is therefore that of the homogeneous
 // medium.
 #pragma once
 #include <optional>
@@ -40,8 +40,8 @@ class BasicFreeFlight {
 
   // `throughput` is that of the path at the start; `random` is uniform in [0, 1).
   BasicFreeFlight(const Color& throughput, float random);
-  // A flight of a path that keeps one colour channel, which was chosen uniformly. `densities` are the relative densities
-  // of the path so far in the channels; their sum is 1.
+  // A flight of a path that keeps one colour channel, which was chosen uniformly. `densities` are the relative
+  // densities of the path so far in the channels; their sum is 1.
   BasicFreeFlight(const Color& densities, int channel, float random);
   // A flight from the same start that passes all media: for points on a segment that is known to have no collision
   // before them.
@@ -50,8 +50,8 @@ class BasicFreeFlight {
   // Passes through `length` metres, possibly infinite, of a medium. Returns the distance to a collision inside it, in
   // metres; the flight ends there.
   std::optional<float> pass(const Coefficients& medium, float length);
-  // The same through a heterogeneous medium, whose coefficients at density 1 are given; returns the parameter of the ray.
-  // `random` is read after the first collision with the majorant.
+  // The same through a heterogeneous medium, whose coefficients at density 1 are given; returns the parameter of the
+  // ray. `random` is read after the first collision with the majorant.
   std::optional<float> pass(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
                             const RaySpan& span, RandomStream& random);
   std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span,
@@ -63,8 +63,9 @@ class BasicFreeFlight {
 
   // The factor of the throughput: after `pass` has returned a collision, or at the end of the flight.
   Color weight() const;
-  // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this flight,
-  // it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques use it.
+  // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this
+  // flight, it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques
+  // use it.
   float survival() const;
   // The relative densities of the path up to here in the channels, for a path that keeps its channel.
   Color densities() const;

@@ -1,8 +1,8 @@
 // What core/openvdb offers to core/medium
 //
 // OpenVDB depends on about 30 shared libraries. Its code is therefore in a plugin: a shared library that grid_plugin.h
-// loads when the first file needs it. The plugin and the program are built together; kGridPluginVersion detects a plugin
-// of another build.
+// loads when the first file needs it. The plugin and the program are built together; kGridPluginVersion detects a
+// plugin of another build.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -32,8 +32,8 @@ class GridPlugin {
   ~GridPlugin() = default;
 };
 
-// The plugin exports a function of this type and name. It returns null if `version` is not its kGridPluginVersion.
-using GetGridPlugin = const GridPlugin* (*)(int version);
+// The plugin exports `const void* etendue_grid_plugin(int version)` (base/load_plugin.h), whose result points to a
+// GridPlugin.
 inline constexpr const char* kGetGridPlugin = "etendue_grid_plugin";
 
 }  // namespace etendue

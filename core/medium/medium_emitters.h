@@ -6,8 +6,8 @@
 //
 //   p(w) = int p(x + t w) t^2 dt    per solid angle, over the whole ray
 //
-// It depends on the receiver and the direction only. Occlusion, attenuation and the surfaces on the ray do not matter, so
-// the density serves as the MIS density of a direction that another technique sampled.
+// It depends on the receiver and the direction only. Occlusion, attenuation and the surfaces on the ray do not matter,
+// so the density serves as the MIS density of a direction that another technique sampled.
 #pragma once
 #include <span>
 

@@ -51,8 +51,8 @@ class GridBuffer {
   std::vector<Chunk> storage_;
 };
 
-// Copies a tree into an array of voxels. Tiles and nodes outside of the box are skipped. `Stored` is float, or the type of
-// quantised values of NanoVDB.
+// Copies a tree into an array of voxels. Tiles and nodes outside of the box are skipped. `Stored` is float, or the type
+// of quantised values of NanoVDB.
 template <class Stored>
 class TreeReader {
  public:

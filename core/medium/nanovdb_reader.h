@@ -1,7 +1,8 @@
 // Reads grids of floats from NanoVDB files.                                                            [Museth 2021]
 //
-// Grids may consist of 32-bit floats or of 4-, 8-, 16-bit or variable-rate quantised floats, and be compressed by zlib or
-// Blosc. All offsets in the file are checked before they are followed, so that damaged files give an error. Values are those of the file.
+// Grids may consist of 32-bit floats or of 4-, 8-, 16-bit or variable-rate quantised floats, and be compressed by zlib
+// or Blosc. All offsets in the file are checked before they are followed, so that damaged files give an error. Values
+// are those of the file.
 #pragma once
 #include <cstddef>
 #include <span>

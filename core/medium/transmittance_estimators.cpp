@@ -35,8 +35,8 @@ float largest_extinction(const HeterogeneousCoefficients<Color>& coefficients, c
   return largest;
 }
 
-// Visits collisions along a ray whose density is rate(cell), in 1/m, by visit(parameter, cell). The rate may change at a
-// collision. enter(cell, length) is called for every coarse cell and its length in metres.
+// Visits collisions along a ray whose density is rate(cell), in 1/m, by visit(parameter, cell). The rate may change at
+// a collision. enter(cell, length) is called for every coarse cell and its length in metres.
 template <class Enter, class Rate, class Visit>
 void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, float metres, RandomStream& random,
                         Enter&& enter, Rate&& rate, Visit&& visit) {
@@ -59,8 +59,8 @@ void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, f
 // Ratio tracking                                                                              [Novak et al. 2014]
 //
 // Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
-// fraction of null collisions, in each channel. If emission is estimated, collisions are at least so frequent that a ray
-// through a thin medium has several of them.
+// fraction of null collisions, in each channel. If emission is estimated, collisions are at least so frequent that a
+// ray through a thin medium has several of them.
 template <class Color>
 Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
                      const RaySpan& span, RandomStream& random, Color* emitted) {
@@ -88,8 +88,8 @@ Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoeff
 
 // Residual ratio tracking                                                                     [Novak et al. 2014]
 //
-// The lowest density of each coarse cell attenuates in closed form. Ratio tracking estimates the rest, whose majorant is
-// the difference between the highest and the lowest density.
+// The lowest density of each coarse cell attenuates in closed form. Ratio tracking estimates the rest, whose majorant
+// is the difference between the highest and the lowest density.
 template <class Color>
 Color residual_ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
                               const RaySpan& span, RandomStream& random) {

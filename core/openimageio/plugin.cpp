@@ -22,7 +22,7 @@ class Plugin final : public image::ImagePlugin {
 }  // namespace
 }  // namespace etendue::openimageio
 
-extern "C" [[gnu::visibility("default")]] const etendue::image::ImagePlugin* etendue_image_plugin(int version) {
+extern "C" [[gnu::visibility("default")]] const void* etendue_image_plugin(int version) {
   static const etendue::openimageio::Plugin plugin;
-  return version == etendue::image::kPluginVersion ? &plugin : nullptr;
+  return version == etendue::image::kPluginVersion ? static_cast<const etendue::image::ImagePlugin*>(&plugin) : nullptr;
 }

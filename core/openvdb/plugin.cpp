@@ -23,7 +23,7 @@ class Plugin final : public GridPlugin {
 }  // namespace
 }  // namespace etendue::vdb
 
-extern "C" [[gnu::visibility("default")]] const etendue::GridPlugin* etendue_grid_plugin(int version) {
+extern "C" [[gnu::visibility("default")]] const void* etendue_grid_plugin(int version) {
   static const etendue::vdb::Plugin plugin;
-  return version == etendue::kGridPluginVersion ? &plugin : nullptr;
+  return version == etendue::kGridPluginVersion ? static_cast<const etendue::GridPlugin*>(&plugin) : nullptr;
 }

@@ -40,7 +40,8 @@ struct VisiblePairs {
   double sum = 0;       // of the weights of the pairs of points that see each other
   uint32_t tested = 0;  // pairs with a positive weight
 };
-// Draws request.samples pairs of uniform points of the element and another one. weight(from, to) is the weight of a pair.
+// Draws request.samples pairs of uniform points of the element and another one. weight(from, to) is the weight of a
+// pair.
 template <class Weight>
 VisiblePairs sum_over_pairs(const RowRequest& request, uint32_t other, VisibilityRays& rays, Weight&& weight) {
   const PatchMesh& mesh = request.mesh;

@@ -10,7 +10,8 @@
 
 namespace etendue::render {
 
-// The names of the AOVs of first hits: albedo, shading-normal, geometric-normal, depth, position, material-id, object-id.
+// The names of the AOVs of first hits: albedo, shading-normal, geometric-normal, depth, position, material-id,
+// object-id.
 const std::vector<std::string>& aov_names();
 
 // The names of the terms of the equation of transfer (integrator/path/transport_terms.h): medium-surface,

@@ -59,8 +59,8 @@ inline constexpr size_t kMeterLights = 8;
 struct MeterSettings {
   uint32_t samples = 1024;  // per pixel, of 64 pixels
   int threads = 0;          // 0: one per hardware thread
-  // Side of a square sensor at the point that measures the received flux on the side of the camera, m; 0 for none. It is
-  // opaque with an albedo of 1 %, so that it casts a shadow but hardly reflects.
+  // Side of a square sensor at the point that measures the received flux on the side of the camera, m; 0 for none. It
+  // is opaque with an albedo of 1 %, so that it casts a shadow but hardly reflects.
   float sensor_size = 0;
 };
 

@@ -32,7 +32,8 @@ struct MeasuredSpectrum {
 };
 
 // Measures all pixels of a document together, with spectral rendering. The integrator is that of the document if it
-// renders spectra, else path tracing. An error says why the scene cannot be rendered, or that `keep_going` returned false.
+// renders spectra, else path tracing. An error says why the scene cannot be rendered, or that `keep_going` returned
+// false.
 Result<MeasuredSpectrum> measure_spectrum(
     Document document, std::shared_ptr<const scene::CompiledScene> scene, uint32_t samples,
     const std::function<bool()>& keep_going = [] { return true; });

@@ -69,8 +69,8 @@ constexpr std::array<Fill, kBlocks> fills(std::index_sequence<kBlock...>) {
 
 constexpr std::array<Fill, kBlocks> kFills = fills(std::make_index_sequence<kBlocks>());
 
-// The digits of `sample` in this base, each replaced by changed(digit), mirrored at the radix point. Integers and a single
-// division, so that the result is the nearest double.
+// The digits of `sample` in this base, each replaced by changed(digit), mirrored at the radix point. Integers and a
+// single division, so that the result is the nearest double.
 template <class Changed>
 double inverse_of(uint32_t sample, uint32_t base, Changed&& changed) {
   uint64_t reversed = 0, cells = 1;

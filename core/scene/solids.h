@@ -4,8 +4,8 @@
 // medium. Thin-walled materials enclose no solid.
 //
 // Solids are numbered by priority. Where solids overlap, the smallest number is the medium. A higher
-// Material::medium_priority has a smaller number; among equal ones, solids with a surface precede those that only bound a
-// medium, then the solid with the smaller bounding box (by surface area), then the order of the file.
+// Material::medium_priority has a smaller number; among equal ones, solids with a surface precede those that only bound
+// a medium, then the solid with the smaller bounding box (by surface area), then the order of the file.
 //
 // Light passes the boundary of a solid without a surface (Material::boundary_only) without scattering.
 // Light passes a boundary inside a solid of higher priority without scattering, since the medium is the same on both
@@ -56,7 +56,7 @@ struct Solid {
   // Whether light is scattered or emitted inside, or the density varies.
   bool is_volume() const { return heterogeneous || medium.scatters() || medium.emits(); }
 
-  // Beer's law: the transmittance of a segment of this length in metres in a homogeneous medium.                       [KHR_materials_volume]
+  // Beer's law: the transmittance of a segment of this length in metres in a homogeneous medium. [KHR_materials_volume]
   Rgb transmittance(float distance) const {
     if (!absorbs) return Rgb(1);
     if (!is_black(medium.extinction) || !is_black(absorption)) return transmittance_of_medium(distance);
@@ -84,8 +84,8 @@ struct Solid {
 class Solids {
  public:
   Solids() = default;
-  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances. `atmosphere` may
-  // be null. `world` has the matrices of all nodes, for media whose density varies.
+  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances. `atmosphere`
+  // may be null. `world` has the matrices of all nodes, for media whose density varies.
   Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
          std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr,
          const std::vector<Mat4>& world = {});

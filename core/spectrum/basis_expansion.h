@@ -2,9 +2,9 @@
 //
 //   S(lambda) ~ sum over i of c_i phi_i(lambda),     380 nm <= lambda <= 780 nm
 //
-// The coefficients minimise the L2 error. Of an orthonormal basis they are the inner products <S, phi_i>; in general they
-// solve the linear system of the mass matrix <phi_i, phi_j>. Colours are linear in the coefficients, so that XYZ and RGB
-// follow from a matrix of the inner products of basis and colour matching functions.       [Lang, ex. 2.21]
+// The coefficients minimise the L2 error. Of an orthonormal basis they are the inner products <S, phi_i>; in general
+// they solve the linear system of the mass matrix <phi_i, phi_j>. Colours are linear in the coefficients: XYZ and RGB
+// follow from a matrix of the inner products of basis and colour matching functions [Lang, ex. 2.21].
 #pragma once
 #include <vector>
 

@@ -72,7 +72,8 @@ std::string reason_for_media(const CompiledScene& scene) {
       return "the density of the medium in " + named(scene.materials()[solids[i].material]) + " varies";
   if (solids.atmosphere() && solids.atmosphere()->heterogeneous) return "the density of the atmosphere varies";
   for (uint32_t i = 0; i < solids.size(); ++i)
-    if (solids[i].medium.emits()) return "the medium in " + named(scene.materials()[solids[i].material]) + " emits light";
+    if (solids[i].medium.emits())
+      return "the medium in " + named(scene.materials()[solids[i].material]) + " emits light";
   if (solids.atmosphere() && solids.atmosphere()->medium.emits()) return "the atmosphere emits light";
   if (solids.atmosphere()) return "the scene has an atmosphere";
   for (uint32_t i = 0; i < solids.size(); ++i)

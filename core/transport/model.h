@@ -1,9 +1,9 @@
 // The transport model of a scene: the features that it needs.
 //
 // Some features are compile-time parameters of the rendering loops (model_types.h): the colour type, the lobes of
-// surfaces, whether paths store the solids that contain them. The others are data: a pinhole camera draws no lens samples. `model_for` determines for
-// each flag the value that the compiled scene needs, and the reason. A user can force a flag to the larger model, which
-// must not change the image.
+// surfaces, whether paths store the solids that contain them. The others are data: a pinhole camera draws no lens
+// samples. `model_for` determines for each flag the value that the compiled scene needs, and the reason. A user can
+// force a flag to the larger model, which must not change the image.
 #pragma once
 #include <memory>
 #include <span>

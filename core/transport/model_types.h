@@ -42,7 +42,8 @@ using AnyMedia = ModelType<Rgb, AllLobes, MediaType::solids, classes>;
 template <bool classes>
 using ScatteringMedia = ModelType<Rgb, AllLobes, MediaType::scattering, classes>;
 
-// Used by all spectral rendering, by integrators that support it. Without an expression, the path classes are all paths.
+// Used by all spectral rendering, by integrators that support it. Without an expression, the path classes are all
+// paths.
 using Spectral = ModelType<SampledSpectrum, AllLobes, MediaType::scattering, true>;
 
 template <bool classes, class F>

@@ -40,7 +40,7 @@ class DipoleDiffusion {
     const float s = absorption_exponent(albedo, mismatch);
     sigma_ = s / mean_free_path;
     real_share_ = 1 / (1 + std::exp(-s * (relative_depth(mismatch) - 1)));
-    largest_radius_ = std::max(pole_radius(kNeglected, real_), pole_radius(kNeglected, virtual_));
+    largest_radius_ = pole_radius(kNeglected, virtual_);  // that of the real pole is smaller
   }
 
   // A of a material with these coefficients, of any common unit. They may not both be 0. A depends on the root of the
@@ -98,7 +98,11 @@ class DipoleDiffusion {
   float pole_radius(float beyond, float z) const {
     const float s = sigma_ * z, target = -std::log(beyond);
     float w = s > 0 ? std::min(target, std::log1p(target / s)) : target;
-    for (int i = 0; i < 8; ++i) w -= (w + s * std::expm1(w) - target) / (1 + s * std::exp(w));
+    for (int i = 0; i < 8; ++i) {
+      const float excess = std::expm1(w), step = (w + s * excess - target) / (1 + s + s * excess);
+      w -= step;
+      if (!(step > 1e-6f * w)) break;
+    }
     return z * safe_sqrt(std::expm1(2 * w));
   }
 

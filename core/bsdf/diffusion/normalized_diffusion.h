@@ -4,8 +4,8 @@
 //   R(r) = A (exp(-r / d) + exp(-r / (3 d))) / (8 pi d r),    2 pi (integral of R r dr) = A
 //   d = l / (1.9 - A + 3.5 (A - 0.8)^2)
 //
-// r is the distance between entry and exit, l the mean free path inside, and A the diffuse reflectance. The profile is a
-// fit to Monte Carlo simulations of a flat half-space.
+// r is the distance between entry and exit, l the mean free path inside, and A the diffuse reflectance. The profile is
+// a fit to Monte Carlo simulations of a flat half-space.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -260,8 +260,8 @@ class BidirectionalSubpaths {
     return weight_of_connection(path, 1, t, hits, cameras) / sample.pdf;
   }
 
-  // The connection of light vertex y and the current camera hit i. The densities are those of y as sampled from i and of
-  // i as sampled from y, per area; `wi` is the direction from i to y.
+  // The connection of light vertex y and the current camera hit i. The densities are those of y as sampled from i and
+  // of i as sampled from y, per area; `wi` is the direction from i to y.
   Weight connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
     const int s = y.length + 1, t = camera.length() + 1, path = camera.path_at(i);
     const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t);

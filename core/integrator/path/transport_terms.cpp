@@ -13,8 +13,8 @@ using TermPaths = transport::PathWavefront<TermModel>;
 constexpr transport::MisHeuristic kTermHeuristic = transport::MisHeuristic::power;
 constexpr int kTermRouletteStart = 4;
 
-// Path tracing after the first segment, which has been traced. If `from_volume`, only paths whose first vertex lies in a
-// volume contribute; otherwise emission of media on the first segment is left out.
+// Path tracing after the first segment, which has been traced. If `from_volume`, only paths whose first vertex lies in
+// a volume contribute; otherwise emission of media on the first segment is left out.
 void trace_remaining_paths(TermPaths& paths, int max_depth, bool from_volume) {
   using namespace transport;
   MediumLight<TermModel> media(paths, Combination(kTermHeuristic));

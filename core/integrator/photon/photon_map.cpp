@@ -14,8 +14,8 @@ size_t leaves_on_the_left(size_t leaves) {
 
 size_t leaves_of(size_t photons) { return (photons + PhotonBlock::kSize - 1) / PhotonBlock::kSize; }
 
-// Moves the nearest `count` neighbours to the front; returns the squared distance of the farthest of them, which becomes
-// the last.
+// Moves the nearest `count` neighbours to the front; returns the squared distance of the farthest of them, which
+// becomes the last.
 float keep_nearest(std::span<Neighbour> found, size_t count) {
   const auto last = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
   std::nth_element(found.begin(), last, found.end(),

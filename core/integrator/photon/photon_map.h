@@ -1,8 +1,8 @@
 // A balanced kd-tree with photons in its leaves.                                [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
 //
-// Leaves are blocks of sixteen photons (photon_block.h), all full but the last one. The tree is stored without pointers:
-// the children of node i are nodes 2i and 2i + 1, so that all levels but the last are full. Splitting planes are
-// perpendicular to the longest axis of the bounding box. Lookups visit the nearer half first, and leaf by leaf test
+// Leaves are blocks of sixteen photons (photon_block.h), all full but the last one. The tree is stored without
+// pointers: the children of node i are nodes 2i and 2i + 1, so that all levels but the last are full. Splitting planes
+// are perpendicular to the longest axis of the bounding box. Lookups visit the nearer half first, and leaf by leaf test
 // sixteen photons at once.
 //
 // The upper levels are built first; the subtrees below them are then built in parallel.
@@ -44,8 +44,6 @@ class PhotonMap {
   // Photons are numbered by leaf.
   Photon operator[](size_t i) const { return blocks_[i / PhotonBlock::kSize][i % PhotonBlock::kSize]; }
   std::vector<Photon> photons() const;
-  // The levels of the tree above the leaves.
-  int height() const { return blocks_.empty() ? 0 : std::bit_width(blocks_.size() - 1); }
   size_t memory() const {
     return source_.capacity() * sizeof(Photon) + blocks_.capacity() * sizeof(PhotonBlock) +
            planes_.capacity() * sizeof(Plane);
@@ -53,8 +51,8 @@ class PhotonMap {
 
   // The nearest `count` photons (at least one) that lie on the same surface (find_distances_on_surface) at no more than
   // the root of `max_distance2`. The disc ends at the farthest of them, which is excluded: including it would
-  // overestimate the density by N / (N - 1). If there are fewer photons, the disc has the maximum radius, or ends at the
-  // farthest if that is infinite. `found` is a buffer.
+  // overestimate the density by N / (N - 1). If there are fewer photons, the disc has the maximum radius, or ends at
+  // the farthest if that is infinite. `found` is a buffer.
   Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                         std::vector<Neighbour>& found) const;
 
@@ -99,8 +97,8 @@ class PhotonMap {
   template <class Find, class Visit>
   void for_each_by(const Vec3& position, float radius2, const Find& find, Visit&& visit) const;
 
-  // Calls `visit(number)` for every leaf that overlaps the ball, nearer ones first; it returns the squared radius of the
-  // ball from there on.
+  // Calls `visit(number)` for every leaf that overlaps the ball, nearer ones first; it returns the squared radius of
+  // the ball from there on.
   template <class Visit>
   void search(const Vec3& position, float radius2, Visit&& visit) const;
 

@@ -4,8 +4,9 @@
 //
 //    H_i  =  E_i  +  sum over j  F_ij rho_j H_j
 //
-// E is direct irradiance, estimated by shadow rays; rho is reflectance; the form factor F_ij is the fraction of the power
-// leaving patch i that arrives at patch j. The system is solved once. Images then look up H where camera rays hit:
+// E is direct irradiance, estimated by shadow rays; rho is reflectance; the form factor F_ij is the fraction of the
+// power leaving patch i that arrives at patch j. The system is solved once. Images then look up H where camera rays
+// hit:
 //
 //    gather = none     L  =  L_e  +  rho / pi  H
 //    gather = direct   L  =  L_e  +  sampled direct light  +  rho / pi  (H - E)

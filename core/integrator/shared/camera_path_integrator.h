@@ -2,8 +2,8 @@
 //
 // Derived is an IntegratorBase that also offers `template <class M> void estimate(transport::PathWavefront<M>&) const`,
 // which traces the paths and adds their contributions to their radiance. If `estimate` is correct at vertices in
-// scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its IntegratorInfo; likewise
-// `kSpectral` if it supports spectral rendering besides.
+// scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its
+// IntegratorInfo; likewise `kSpectral` if it supports spectral rendering besides.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/camera_paths.h"

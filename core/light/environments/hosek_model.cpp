@@ -21,7 +21,8 @@ double hosek_curve(const double* points, size_t stride, double t) {
   return sum;
 }
 
-// Interpolates curve(albedo, turbidity) between the integer albedos 0 and 1 and turbidities from 1 to 10, counted from 0.
+// Interpolates curve(albedo, turbidity) between the integer albedos 0 and 1 and turbidities from 1 to 10, counted from
+// 0.
 template <class Curve>
 double hosek_interpolated(double albedo, double turbidity, Curve&& curve) {
   const double position = std::clamp(turbidity, 1.0, 10.0) - 1;

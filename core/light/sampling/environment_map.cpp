@@ -70,14 +70,12 @@ float sum_of(const std::vector<float>& values) {
   return static_cast<float>(std::accumulate(values.begin(), values.end(), 0.0));
 }
 
-// The luminance of a sun, averaged over the sphere.
-float mean_luminance(const SunCone& sun) { return luminance(sun.mean_radiance()) * (sun.solid_angle() / (4 * kPi)); }
+Rgb mean_over_sphere(const SunCone& sun) { return sun.mean_radiance() * (sun.solid_angle() / (4 * kPi)); }
 
-// How often the sun is sampled, by its mean luminance and that of the map; both are sampled if both emit.
-float sun_probability(float sun, float map) {
+// How often the sun is sampled, by its share of the flux; the map is sampled as well.
+float sun_probability(float share) {
   constexpr float kLeast = 0.1f;
-  if (!(sun > 0)) return 0;
-  return map > 0 ? std::clamp(sun / (sun + map), kLeast, 1 - kLeast) : 1;
+  return std::clamp(share, kLeast, 1 - kLeast);
 }
 
 // Whether all texels have the same radiance above 0. A constant then replaces the map and its look-ups.
@@ -94,7 +92,6 @@ bool is_uniform(const image::Image& map) {
 
 struct EnvironmentMap::Corners {
   float w[4];
-  float mean() const { return (w[0] + w[1] + w[2] + w[3]) / 4; }
   float at(Vec2 p) const { return mix(mix(w[0], w[1], p.x), mix(w[2], w[3], p.x), p.y); }
   Vec2 sample(Vec2 u) const {
     const float y = sample_linear(u.y, w[0] + w[1], w[2] + w[3]);
@@ -106,7 +103,7 @@ EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(en
   environment_.tint = mean_ = environment.spectrum.applied_to(environment.tint);
   prepare_map();
   prepare_sun(mean_);
-  prepare_compensation();
+  prepare_densities();
 }
 
 void EnvironmentMap::prepare_map() {
@@ -135,10 +132,8 @@ void EnvironmentMap::prepare_map() {
   }
   for (int i = 0; i < 3; ++i) mean_[i] *= static_cast<float>(sum[i] / solid_angle);
   // Relative to the largest: squares of the largest float would overflow, and the density does not depend on scale.
-  const float largest = *std::max_element(weights_.begin(), weights_.end());
-  if (largest > 0)
+  if (const float largest = *std::max_element(weights_.begin(), weights_.end()); largest > 0)
     for (float& w : weights_) w /= largest;
-  full_.patches = patches_above(0);
 }
 
 EnvironmentMap::Corners EnvironmentMap::corners_of(const TexelPatch& p, float subtracted) const {
@@ -150,16 +145,25 @@ EnvironmentMap::Corners EnvironmentMap::corners_of(const TexelPatch& p, float su
   return {{at(p.left, p.top), at(p.right, p.top), at(p.left, p.bottom), at(p.right, p.bottom)}};
 }
 
+// The means of the patches: row by row, because maps have millions of texels.
 Piecewise2D EnvironmentMap::patches_above(float subtracted) const {
-  const image::Image& map = *environment_.map;
-  std::vector<float> means;
-  means.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height + 1));
-  for (int row = 0; row <= map.height; ++row)
-    for (int column = 0; column < map.width; ++column) {
-      const float inside = row == 0 || row == map.height ? 0.5f : 1.0f;
-      means.push_back(inside * corners_of(patch_of(map, column, row), subtracted).mean());
-    }
-  return {means, map.width, map.height + 1};
+  const int height = environment_.map->height;
+  const auto width = static_cast<size_t>(environment_.map->width);
+  std::vector<float> means(width * static_cast<size_t>(height + 1)), top(width), bottom(width);
+  for (int row = 0; row <= height; ++row) {
+    top = bottom;
+    const auto y = static_cast<size_t>(std::min(row, height - 1));
+    for (size_t x = 0; x < width; ++x) bottom[x] = std::max(weights_[y * width + x] - subtracted * sines_[y], 0.0f);
+    if (row == 0) top = bottom;
+    const float inside = row == 0 || row == height ? 0.5f : 1.0f;
+    float* const mean = &means[static_cast<size_t>(row) * width];
+    const auto mean_of = [&](size_t left, size_t right) {
+      return inside * ((top[left] + top[right] + bottom[left] + bottom[right]) / 4);
+    };
+    mean[0] = mean_of(width - 1, 0);
+    for (size_t x = 1; x < width; ++x) mean[x] = mean_of(x - 1, x);
+  }
+  return {means, environment_.map->width, height + 1};
 }
 
 // `tint` is that of the user; the one of a uniform map includes its radiance.
@@ -170,15 +174,14 @@ void EnvironmentMap::prepare_sun(const Rgb& tint) {
   SunDisk disk = *environment_.sun;
   disk.radiance *= tint;
   sun_.emplace(disk, Vec3(d.x * c - d.z * s, d.y, d.x * s + d.z * c));
-  const Rgb mean = sun_->mean_radiance() * (sun_->solid_angle() / (4 * kPi));
-  mean_ += mean;
-  full_.sun_probability = sun_probability(luminance(mean), luminance(mean_) - luminance(mean));
+  mean_ += mean_over_sphere(*sun_);
 }
 
-void EnvironmentMap::prepare_compensation() {
-  const float mean = luminance(mean_);
+void EnvironmentMap::prepare_densities() {
+  if (environment_.map) full_.patches = patches_above(0);
+  const float mean = luminance(mean_), sun = sun_ ? luminance(mean_over_sphere(*sun_)) : 0;
   if (!(mean > 0)) return;
-  const float sun = sun_ ? mean_luminance(*sun_) : 0;
+  if (sun_) full_.sun_probability = sun_probability(sun / mean);
   float above = 0;  // the mean of what the map exceeds the mean radiance by
   if (full_.patches.integral() > 0 && mean > sun) {
     const float mean_weight = sum_of(weights_) / sum_of(sines_) / static_cast<float>(environment_.map->width);
@@ -191,7 +194,7 @@ void EnvironmentMap::prepare_compensation() {
   const float share = (above + sun) / mean;
   if (share < kLeastShare) return;
   compensated_share_ = share;
-  compensated_.sun_probability = sun_probability(sun, above);
+  if (sun_) compensated_.sun_probability = above > 0 ? sun_probability(sun / (sun + above)) : 1;
 }
 
 Vec2 EnvironmentMap::uv_of(const Vec3& d) const {

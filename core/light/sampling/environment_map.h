@@ -49,8 +49,9 @@ class EnvironmentMap {
   Vec2 uv_of(const Vec3& direction) const;
   void prepare_map();
   void prepare_sun(const Rgb& tint);
+  void prepare_densities();
   Rgb map_radiance(const Vec3& direction) const;
-  void prepare_compensation();
+
   // The luminance above a constant, where that is positive, and the sun.
   struct Density {
     float subtracted = 0;  // the constant, relative to the largest of the map

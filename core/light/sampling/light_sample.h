@@ -43,9 +43,9 @@ struct LightQueries {
 // the densities of emission.
 enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
 
-// How the lights of a receiver are sampled. BSDF samples find smooth parts of the environment well. If the light samples
-// are combined with them by MIS, they cover only what exceeds the mean radiance of the environment; nothing of a uniform
-// environment (EnvironmentMap).                                                                  [Karlik et al. 2019]
+// How the lights of a receiver are sampled. BSDF samples find smooth parts of the environment well. If the light
+// samples are combined with them by MIS, they cover only what exceeds the mean radiance of the environment
+// [Karlik et al. 2019]; they leave out a uniform environment (EnvironmentMap).
 struct LightSampling {
   LightStrategy strategy = LightStrategy::automatic;
   bool is_compensated = false;  // every direction of the environment is found by BSDF samples as well

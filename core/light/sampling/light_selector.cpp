@@ -17,7 +17,8 @@ constexpr float kPowerShare = 1.0f / 64;
 
 }  // namespace
 
-LightSelector::LightSelector(std::span<const SelectableLight> lights) {
+LightSelector::LightSelector(std::span<const SelectableLight> lights, std::shared_ptr<const LightTree> tree)
+    : tree_(std::move(tree)) {
   std::vector<float> powers;
   powers.reserve(lights.size());
   bool any = false;
@@ -63,14 +64,14 @@ void LightSelector::build_tree(std::span<const SelectableLight> lights) {
       area += light.area;
     }
   }
-  tree_ = LightTree(bounds);
+  if (!tree_) tree_ = std::make_shared<const LightTree>(bounds);
   tree_pays_ =
       lights.size() - infinite_.size() >= kMinLightsForTree && area < kMaxAreaOverRadius2 * sqr(around.radius());
   float infinite_power = 0;
   for (const float power : infinite_powers) infinite_power += power;
   if (!(infinite_power > 0)) return;
   infinite_by_power_ = AliasTable(infinite_powers);
-  infinite_share_ = tree_.empty() ? 1 : std::clamp(infinite_power / all_power, kMinShare, 1 - kMinShare);
+  infinite_share_ = tree_->empty() ? 1 : std::clamp(infinite_power / all_power, kMinShare, 1 - kMinShare);
 }
 
 LightSelector::Choice LightSelector::choose_by_tree(const Vec3& from, float u) const {
@@ -87,7 +88,7 @@ LightSelector::Choice LightSelector::choose_by_tree(const Vec3& from, float u) c
     return with_power_share(infinite_[choice.index], choice.probability * infinite_share_);
   }
   const float tree_share = 1 - infinite_share_;
-  const Choice choice = tree_.choose(from, std::min((u - infinite_share_) / tree_share, kOneMinusEpsilon));
+  const Choice choice = tree_->choose(from, std::min((u - infinite_share_) / tree_share, kOneMinusEpsilon));
   return choice.probability > 0 ? with_power_share(choice.index, choice.probability * tree_share) : choice;
 }
 
@@ -117,7 +118,7 @@ float LightSelector::probability_by_tree(uint32_t light, const Vec3& from) const
   const bool is_infinite = found != infinite_.end() && *found == light;
   const float p = is_infinite
                       ? infinite_share_ * probability_of_infinite(static_cast<size_t>(found - infinite_.begin()))
-                      : (1 - infinite_share_) * tree_.probability(light, from);
+                      : (1 - infinite_share_) * tree_->probability(light, from);
   return (1 - kPowerShare) * p + kPowerShare * by_power_.probability(light);
 }
 

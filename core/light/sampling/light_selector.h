@@ -6,6 +6,7 @@
 // power, since the bound ignores occlusion: a strong light behind a wall would otherwise suppress the lights on this
 // side.
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,9 @@ class LightSelector {
   using Choice = AliasTable::Choice;
 
   LightSelector() = default;
-  explicit LightSelector(std::span<const SelectableLight> lights);
+  explicit LightSelector(std::span<const SelectableLight> lights) : LightSelector(lights, nullptr) {}
+  // The same with other powers of lights without a position. They are not in the tree, which is shared.
+  LightSelector with_infinite_powers(std::span<const SelectableLight> lights) const { return {lights, tree_}; }
 
   // No light has any power.
   bool empty() const { return by_power_.empty(); }
@@ -58,6 +61,7 @@ class LightSelector {
   };
 
   void find_sources(std::span<const SelectableLight> lights);
+  LightSelector(std::span<const SelectableLight> lights, std::shared_ptr<const LightTree> tree);
   void build_tree(std::span<const SelectableLight> lights);
   const Source& source_of(uint32_t light) const;
   float probability_by_tree(uint32_t light, const Vec3& from) const;
@@ -67,8 +71,8 @@ class LightSelector {
   std::vector<Source> sources_;
   std::vector<float> cumulative_;  // probability of a light and of those of its source before it
 
-  LightTree tree_;
-  std::vector<uint32_t> infinite_;  // numbers of the lights without a position, ascending
+  std::shared_ptr<const LightTree> tree_;  // null if no light has any power
+  std::vector<uint32_t> infinite_;         // numbers of the lights without a position, ascending
   AliasTable infinite_by_power_;
   float infinite_share_ = 0;
   bool tree_pays_ = false;

@@ -57,7 +57,7 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
   selector_ = LightSelector(lights);
   if (environment_.black()) return;
   lights.back().power *= environment_.compensated_share();
-  compensated_selector_ = LightSelector(lights);
+  compensated_selector_ = selector_.with_infinite_powers(lights);
 }
 
 size_t LightTable::placed_count() const { return placed_->size(); }

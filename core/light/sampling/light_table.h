@@ -55,7 +55,8 @@ class LightTable {
                      LightSampling sampling = LightStrategy::every) const;
 
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
-  // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are those of the light's source.
+  // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are
+  // those of the light's source.
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightSampling sampling) const;
   float pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.

@@ -2,9 +2,9 @@
 //
 //   E = I(direction) cos(theta) / r^2,    Phi = (integral of I over the sphere)
 //
-// I includes the TILT factor of the file for the angle between the direction of emission and straight down (-y), which is
-// the position of the measurement. photometry_profile.h describes the files and their angles. Rays that leave the light are uniform over the solid angle
-// of the measured angles.
+// I includes the TILT factor of the file for the angle between the direction of emission and straight down (-y), which
+// is the position of the measurement. photometry_profile.h describes the files and their angles. Rays that leave the
+// light are uniform over the solid angle of the measured angles.
 #pragma once
 #include <memory>
 

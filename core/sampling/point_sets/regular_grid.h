@@ -1,7 +1,7 @@
 // Regular grids                                                                            [Lang, sec. 7.2]
 //
-// Each two-dimensional decision of a group of n x n samples takes the points of a regular grid, moved by a random offset
-// modulo 1 (Cranley-Patterson rotation). For fixed-size sets see sampling/point_group.h.
+// Each two-dimensional decision of a group of n x n samples takes the points of a regular grid, moved by a random
+// offset modulo 1 (Cranley-Patterson rotation). For fixed-size sets see sampling/point_group.h.
 //
 //   Properties    The simplest set that fills the square evenly.
 //   Limitations   The projections onto one axis have only n points. Periodic structures cause aliasing.

@@ -8,8 +8,8 @@
 //
 // Segments that no other technique samples, above all those that start at the camera, are integrated voxel by voxel.
 //
-// The functions do nothing in models without scattering media, and add nothing in scenes without emitting ones. Spectral
-// models have no light samples.
+// The functions do nothing in models without scattering media, and add nothing in scenes without emitting ones.
+// Spectral models have no light samples.
 #pragma once
 #include "transport/wavefront/path_estimators.h"
 
@@ -124,7 +124,8 @@ class MediumLight {
   [[gnu::cold, gnu::noinline]] void record_emission(int path, const Color& emitted, float weight,
                                                     const Color& contribution) {
     const auto& color = paths_.color();
-    paths_.recorder()->add_medium_emission(path, {color.to_rgb(path, emitted), weight, color.to_rgb(path, contribution)});
+    paths_.recorder()->add_medium_emission(path,
+                                           {color.to_rgb(path, emitted), weight, color.to_rgb(path, contribution)});
   }
   [[gnu::cold, gnu::noinline]] void record(int hit, const MediumEmitters::Sample& light, const Rgb& radiance,
                                            float weight, const typename Bsdf<M>::Value& scattered,

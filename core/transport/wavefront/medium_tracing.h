@@ -1,7 +1,7 @@
 // Path segments through solids: the surface at their end, and their transmittance.
 //
-// A segment skips boundaries between equal media, and those of solids without a surface. It therefore lies in one medium,
-// unless there are such solids or stochastic opacity lets it pass a boundary between different media.
+// A segment skips boundaries between equal media, and those of solids without a surface. It therefore lies in one
+// medium, unless there are such solids or stochastic opacity lets it pass a boundary between different media.
 //
 // Colours are RGB, or the wavelengths of a path. The functions are instantiated for both.
 #pragma once
@@ -98,8 +98,8 @@ struct MediumLightOnRay {
   uint64_t rays = 0;  // traced
 };
 
-// Where the emission of heterogeneous media is evaluated: at random points whose number depends on the optical depth, or
-// at one point of every voxel, which takes longer and is nearly exact.
+// Where the emission of heterogeneous media is evaluated: at random points whose number depends on the optical depth,
+// or at one point of every voxel, which takes longer and is nearly exact.
 enum class EmissionPoints : uint8_t { few, of_voxels };
 
 // In heterogeneous media, estimates without bias. The ray starts in the solids of `stack`.
@@ -111,8 +111,8 @@ class TracedConnections {
  public:
   explicit TracedConnections(const scene::CompiledScene& scene) : scene_(scene) {}
 
-  // Whether the results of `occluded` are used. With stochastic opacity on boundaries of solids, or boundaries without a
-  // surface, every connection must be traced from boundary to boundary.
+  // Whether the results of `occluded` are used. With stochastic opacity on boundaries of solids, or boundaries without
+  // a surface, every connection must be traced from boundary to boundary.
   bool use_packets() const { return !scene_.solids().segments_may_cross_media(); }
 
   template <class Color = Rgb>

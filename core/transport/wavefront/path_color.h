@@ -44,8 +44,8 @@ class PathColor<M, true> {
   // An unbiased estimate of the RGB value.
   Rgb to_rgb(int path, const Color& color) const { return rgb_estimate(color, wavelengths(path)); }
 
-  // Ends the secondary wavelengths, whose paths deviate from that of the hero wavelength. The hero wavelength takes over
-  // their weight: `weight` is one over its share of the density of the path, four without scattering media.
+  // Ends the secondary wavelengths, whose paths deviate from that of the hero wavelength. The hero wavelength takes
+  // over their weight: `weight` is one over its share of the density of the path, four without scattering media.
   void end_secondary(int path, float weight, Color& throughput) {
     at(path).hero_only = true;
     Color hero(0);

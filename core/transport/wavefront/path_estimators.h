@@ -64,8 +64,8 @@ template <class M>
 // With a throughput factor r and a survival probability q per vertex, the variance is finite only if r^2 < q. Paths
 // whose throughput has grown above one therefore survive with a higher probability.
 inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalAboveOne = 0.995f;
-// In scattering media with an end: a path through milk has hundreds of vertices at which it loses 0.2 %. With the bounds
-// above, r^2 > q, and the few longest paths would carry most of the light.
+// In scattering media with an end: a path through milk has hundreds of vertices at which it loses 0.2 %. With the
+// bounds above, r^2 > q, and the few longest paths would carry most of the light.
 inline constexpr float kMaxSurvivalInMedia = 0.9995f;
 
 // The MIS weight of emission that BSDF sampling has hit.

@@ -48,7 +48,8 @@ class PathMedia<M, true> {
     flights_.channel[static_cast<size_t>(path)] = static_cast<int8_t>(channel);
     flights_.next_densities[static_cast<size_t>(path)] = Color(1.0f / kChannels<Color>);
   }
-  // Ends all channels of a path but the first. Returns one over the share of the first channel in the density of the path.
+  // Ends all channels of a path but the first. Returns one over the share of the first channel in the density of the
+  // path.
   float keep_first_channel(int path) requires(M::kScattering) {
     const auto p = static_cast<size_t>(path);
     if (flights_.channel[p] < 0) return static_cast<float>(kChannels<Color>);

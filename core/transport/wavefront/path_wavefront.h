@@ -30,8 +30,8 @@ class PathWavefront {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
-  // Random number streams below this number belong to branches of paths, those beyond to lights, the last ones to points
-  // on segments in media and to directions towards emitting media.
+  // Random number streams below this number belong to branches of paths, those beyond to lights, the last ones to
+  // points on segments in media and to directions towards emitting media.
   static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff, kMediumLightStream = 0x3ffffe;
 
   // Removes all paths; `sample` is the index within the pixels' sequences. All paths are cancelled when `keep_going`
@@ -73,8 +73,8 @@ class PathWavefront {
     if constexpr (M::kScattering) media_.choose_channels(path);
     travel(path, ray, medium);
   }
-  // Makes launched paths keep a colour channel in scattering media: the hero wavelength of a spectral path, else one that
-  // alternates between the samples of a pixel.
+  // Makes launched paths keep a colour channel in scattering media: the hero wavelength of a spectral path, else one
+  // that alternates between the samples of a pixel.
   void stratify_channels() {
     if constexpr (M::kSpectral)
       for (int i = 0; i < size_; ++i) media_.keep_channel(i, 0);

@@ -4,16 +4,16 @@
 // The BSSRDF is S = f(w_o, w_i) R(|x_o - x_i|) / A, with f the diffuse lobe of the surface, a product of a function of
 // w_o and one of w_i, and R / A a diffusion profile (bsdf/diffusion). A vertex on such a surface is the point x_o where
 // light leaves. The path either follows the deltas of the surface there, or is moved to a point x_i where light enters.
-// The choice is random, in proportion to their albedos. x_i is sampled: a radius by the profile of one channel, a direction around an axis (the normal or one of two tangents), and a
-// probe ray along the axis. The probes find x_i with the density per area
+// The choice is random, in proportion to their albedos. x_i is sampled by a radius from the profile of one channel, a
+// direction around an axis (the normal or one of two tangents), and a probe ray along the axis. The probes find x_i
+// with the density per area
 //
 //   p = sum over axes a and channels c of  P_a / 3  R_c(r_a) / A_c  |n_i . a|
 //
 // with r_a the distance of x_i from x_o perpendicular to a. Each hit of a probe on the same object has the weight
 // w = R(|x_o - x_i|) / (A p). One hit is chosen with the probability q in proportion to w, and the throughput is
-// multiplied by w / q.
-// The path continues at x_i by the diffuse lobe there. The result is biased by the assumption of the profile that the
-// surface is flat.
+// multiplied by w / q. The path continues at x_i by the diffuse lobe there. The result is biased by the assumption of
+// the profile that the surface is flat.
 #pragma once
 #include "bsdf/diffusion/diffusion_profiles.h"
 #include "transport/wavefront/path_wavefront.h"

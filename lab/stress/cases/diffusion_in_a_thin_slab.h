@@ -1,5 +1,5 @@
-// Subsurface diffusion against the random walk in a medium, in a uniform sky: a thick slab, thin slabs and an edge, with
-// equal indices of refraction (normalised diffusion) and below a boundary (dipole).
+// Subsurface diffusion against the random walk in a medium, in a uniform sky: a thick slab, thin slabs and an edge,
+// with equal indices of refraction (normalised diffusion) and below a boundary (dipole).
 //
 // The profile of a half-space counts both faces of a slab of thickness t. With the share F(t) of the light that leaves
 // within the radius t, its radiance is A (2 - F(t)), which exceeds one for thin slabs. The random walk of the same mean

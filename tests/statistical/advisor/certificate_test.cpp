@@ -83,7 +83,8 @@ TEST(Certificate, NoUpperBoundForABiasedIntegrator) {
 }
 
 TEST(Certificate, PointLightsThatPathsCannotHit) {
-  const CertifiedImage image = certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
+  const CertifiedImage image =
+      certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
   ASSERT_FALSE(image.certificate.missing.empty());
   EXPECT_TRUE(std::ranges::all_of(image.certificate.missing, &Certificate::Missing::from_point_lights));
 }
@@ -91,7 +92,8 @@ TEST(Certificate, PointLightsThatPathsCannotHit) {
 TEST(Certificate, RoundTripIsExact) {
   for (const char* integrator : {"path", "raycast"}) {
     const Certificate c =
-        certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
+        certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", integrator), 4)
+            .certificate;
     const auto again = advisor::certificate_from_json(advisor::certificate_json(c), "test");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(advisor::certificate_json(*again), advisor::certificate_json(c));

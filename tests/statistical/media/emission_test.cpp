@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "render/aov.h"
+#include "statistical/media/class_sums.h"
 #include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
@@ -147,17 +148,7 @@ TEST(MediumLight, SamplesReduceTheVariance) {
 
 TEST(MediumLight, PathClassesSumToTheImage) {
   for (const auto& [name, d] : fires()) {
-    const film::Film whole = test::rendered(d, 4);
-    std::vector<film::Film> parts;
-    for (const char* paths : {"EL", "E(D|G|S)+L", "E(D|G|S)*V.*L"})
-      parts.push_back(test::rendered(with(d, "film.paths", paths), 4));
-    for (int y = 0; y < whole.height(); ++y)
-      for (int x = 0; x < whole.width(); ++x) {
-        Rgb sum(0);
-        for (const film::Film& part : parts) sum += part.mean(x, y);
-        for (int c = 0; c < 3; ++c)
-          ASSERT_NEAR(sum[c], whole.mean(x, y)[c], 1e-4f * whole.mean(x, y)[c] + 1e-6f) << name;
-      }
+    test::expect_sum_of_classes(d, {"EL", "E(D|G|S)+L", "E(D|G|S)*V.*L"}, 4, name);
   }
 }
 

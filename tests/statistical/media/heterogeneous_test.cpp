@@ -8,6 +8,7 @@
 
 #include "integrator/integrator.h"
 #include "render/incompatibility.h"
+#include "statistical/media/class_sums.h"
 #include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
@@ -193,17 +194,7 @@ TEST(Agreement, OfIntegratorsWithHeterogeneousMedia) {
 
 TEST(PathClassesOfHeterogeneousMedia, SumToTheImage) {
   for (const auto& [name, d] : places()) {
-    const film::Film whole = test::rendered(d, 4);
-    std::vector<film::Film> parts;
-    for (const char* paths : {"EL", "E(D|G|S)+L", "E(D|G|S)*V(D|G|S)*L", "E(D|G|S)*V.*V.*L"})
-      parts.push_back(test::rendered(with(d, "film.paths", paths), 4));
-    for (int y = 0; y < whole.height(); ++y)
-      for (int x = 0; x < whole.width(); ++x) {
-        Rgb sum(0);
-        for (const film::Film& part : parts) sum += part.mean(x, y);
-        for (int c = 0; c < 3; ++c)
-          ASSERT_NEAR(sum[c], whole.mean(x, y)[c], 1e-4f * whole.mean(x, y)[c] + 1e-6f) << name;
-      }
+    test::expect_sum_of_classes(d, {"EL", "E(D|G|S)+L", "E(D|G|S)*V(D|G|S)*L", "E(D|G|S)*V.*V.*L"}, 4, name);
   }
 }
 

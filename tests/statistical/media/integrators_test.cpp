@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "integrator/integrator.h"
+#include "statistical/media/class_sums.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
 
@@ -94,7 +95,8 @@ TEST(MediaPairwise, WideLensInFog) {
   expect_pairs_agree(d, kSeenByLightPaths, 48, {kPath, kLight, {"light-pure", "", "", 8}, kBdpt, kMaximum});
 }
 
-// Without one kind of techniques the others find the same paths: hits of lights, light samples, connections to the camera.
+// Without one kind of techniques the others find the same paths: hits of lights, light samples, connections to the
+// camera.
 TEST(MediaTechniques, ReplaceEachOther) {
   const Document d = with_integrator(test::camera_in_fog(), "bdpt");
   const auto all = test::replicated(with(d, "film.paths", "E[(D|G|V).*]L"), 24, 1000);
@@ -129,17 +131,8 @@ TEST(MediaThreads, DoNotChangeTheImage) {
 TEST(MediaClasses, SumToTheImage) {
   for (const char* name : {"distribution", "light", "bdpt"}) {
     const Document d = with_integrator(test::camera_in_fog(), name);
-    const film::Film whole = test::rendered(d, 8);
-    std::vector<film::Film> parts;
-    for (const char* paths : {"EL", "E(D|G|S)+L", "E(D|G|S)*V(D|G|S)*L", "E(D|G|S)*V.*V.*L"})
-      parts.push_back(test::rendered(with(d, "film.paths", paths), 8));
-    for (int y = 0; y < whole.height(); ++y)
-      for (int x = 0; x < whole.width(); ++x) {
-        Rgb sum(0);
-        for (const film::Film& part : parts) sum += part.mean(x, y);
-        for (int c = 0; c < 3; ++c)
-          ASSERT_NEAR(sum[c], whole.mean(x, y)[c], 2e-4f * whole.mean(x, y)[c] + 1e-6f) << name;
-      }
+    const auto parts =
+        test::expect_sum_of_classes(d, {"EL", "E(D|G|S)+L", "E(D|G|S)*V(D|G|S)*L", "E(D|G|S)*V.*V.*L"}, 8, name, 2e-4f);
     EXPECT_GT(test::mean_of(parts[2]).value, 0) << name;
     EXPECT_GT(test::mean_of(parts[3]).value, 0) << name;
   }
@@ -167,8 +160,8 @@ TEST(MediaExtremes, AreFinite) {
 
 // ---- Equiangular sampling.
 
-// Light that is scattered once, beside a point light just outside of the image: equiangular sampling has at most a tenth
-// of the variance of distances by transmittance.
+// Light that is scattered once, beside a point light just outside of the image: equiangular sampling has at most a
+// tenth of the variance of distances by transmittance.
 TEST(Equiangular, ReducesTheNoiseAroundAPointLight) {
   scene::Scene scene;
   scene.atmosphere.medium = test::medium(Rgb(0.05f));

@@ -144,8 +144,8 @@ TEST(VirtualLightsInMedia, EqualPathTracing) {
   }
 }
 
-// Means over the image of light that is scattered in media first. With few photons, density estimation blurs and darkens
-// by some per cent.
+// Means over the image of light that is scattered in media first. With few photons, density estimation blurs and
+// darkens by some per cent.
 TEST(VolumePhotons, AreNearPathTracing) {
   const auto all = places();
   for (const size_t k : {0U, 1U}) {
@@ -178,8 +178,8 @@ TEST(VolumePhotons, ClearMediumIsAVacuum) {
   }
 }
 
-// A medium that only scatters is invisible in a uniform sky. The tolerance of 2 % covers noise, and the error of balls that
-// reach beyond the boundary.
+// A medium that only scatters is invisible in a uniform sky. The tolerance of 2 % covers noise, and the error of balls
+// that reach beyond the boundary.
 TEST(VolumePhotons, WhiteFurnace) {
   for (const bool varies : {false, true}) {
     MediumDescription m = test::medium({2, 1, 0.5f}, Rgb(0), 0.4f);

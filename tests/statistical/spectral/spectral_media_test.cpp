@@ -73,8 +73,8 @@ SampledSpectrum at_one_wavelength(const AbsorptionSpectrum& spectrum, float nm) 
   return spectrum.at(w);
 }
 
-// White light behind a box without a surface. At the thickness at which the densest colour has an optical depth of 1, the
-// colour is that of RGB rendering; at others it is the integral of Beer's law over the wavelengths.
+// White light behind a box without a surface. At the thickness at which the densest colour has an optical depth of 1,
+// the colour is that of RGB rendering; at others it is the integral of Beer's law over the wavelengths.
 TEST(SpectralMedia, AbsorbByBeersLawAtEachWavelength) {
   const Rgb absorption(0.5f, 0.8f, 1.25f);
   const AbsorptionSpectrum spectrum(absorption);

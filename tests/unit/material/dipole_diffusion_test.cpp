@@ -6,9 +6,12 @@
 #include "bsdf/bsdf_model.h"
 #include "material/diffusion_of_medium.h"
 #include "medium/medium_presets.h"
+#include "unit/material/profile_integral.h"
 
 namespace etendue {
 namespace {
+
+using test::share_within;
 
 // The hemispherical reflectance of a dielectric boundary from outside in closed form [Duntley 1942].
 double diffuse_fresnel_closed_form(double n) {
@@ -28,19 +31,6 @@ double published_profile(double r, double alpha, double extinction, double misma
     sum += z * (sigma + 1 / d) * std::exp(-sigma * d) / (d * d);
   }
   return alpha / (4 * M_PI) * sum;
-}
-
-// The integral of R / A over the plane within a radius, by the midpoint rule in the square root of the radius.
-double share_within(const DipoleDiffusion& profile, double radius) {
-  constexpr int kSteps = 40'000;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double root = std::sqrt(radius) * (i + 0.5) / kSteps;
-    const double r = root * root;
-    sum += 2 * M_PI * r * static_cast<double>(profile.value(static_cast<float>(r))) * 2 * root * std::sqrt(radius) /
-           kSteps;
-  }
-  return sum;
 }
 
 TEST(DipoleDiffusion, DiffuseFresnelEqualsTheClosedForm) {

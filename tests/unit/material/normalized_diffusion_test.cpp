@@ -3,21 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/material/profile_integral.h"
+
 namespace etendue {
 namespace {
 
-// The integral of R / A over the plane within a radius, by the midpoint rule in the square root of the radius.
-double share_within(const NormalizedDiffusion& profile, double radius) {
-  constexpr int kSteps = 20'000;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double root = std::sqrt(radius) * (i + 0.5) / kSteps;
-    const double r = root * root;
-    sum += 2 * M_PI * r * static_cast<double>(profile.value(static_cast<float>(r))) * 2 * root * std::sqrt(radius) /
-           kSteps;
-  }
-  return sum;
-}
+using test::share_within;
 
 TEST(NormalizedDiffusion, IntegratesToOne) {
   for (const float length : {1e-6f, 1e-3f, 2.0f})

@@ -90,8 +90,8 @@ TEST(Hammersley, ScramblingKeepsTheNet) {
     }
 }
 
-// Root mean square errors of the integral of exp(x + y) over 2000 randomisations, and those of random points. The expected
-// values are known to 4 %, and those measured here to 2 %.
+// Root mean square errors of the integral of exp(x + y) over 2000 randomisations, and those of random points. The
+// expected values are known to 4 %, and those measured here to 2 %.
 TEST(Hammersley, ErrorsOfRandomisedSets) {
   struct Row {
     const char* scrambling;        // empty: random points
@@ -167,7 +167,8 @@ TEST(Faure, PairsOfDimensionsAreNets) {
       }
 }
 
-// Dimensions 0 and 1 belong to the polynomials x and x + 1 of degree one. Every dimension by itself is a (0, 1)-sequence.
+// Dimensions 0 and 1 belong to the polynomials x and x + 1 of degree one. Every dimension by itself is a
+// (0, 1)-sequence.
 TEST(Niederreiter, IsADigitalSequence) {
   for (const uint32_t first : {0U, 64U, 640U}) {
     std::vector<Point> points;

@@ -8,8 +8,8 @@
 namespace etendue::scene::gltf {
 namespace {
 
-// The directed edges of triangles. In a closed, consistently oriented surface every edge is passed equally often in both
-// directions. Vertices at equal positions are one.
+// The directed edges of triangles. In a closed, consistently oriented surface every edge is passed equally often in
+// both directions. Vertices at equal positions are one.
 class BoundaryEdges {
  public:
   void add(const Mesh& mesh) {
