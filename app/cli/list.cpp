@@ -10,6 +10,7 @@
 #include "integrator/integrator.h"
 #include "json.h"
 #include "material/diffusion_of_medium.h"
+#include "medium/coefficient_spectrum.h"
 #include "medium/medium_presets.h"
 #include "render/document.h"
 #include "sampling/sampler.h"
@@ -181,7 +182,7 @@ json samples_json(const std::function<double(double)>& spectrum) {
   return samples;
 }
 
-// Illuminants, metals and glasses by wavelength in nm.
+// Illuminants, metals, coefficients of media and glasses by wavelength in nm.
 json spectra_json() {
   json list = json::array();
   for (const Illuminant& illuminant : illuminants()) {
@@ -199,6 +200,14 @@ json spectra_json() {
       j["kappa"] = samples_json([&](double w) { return metal.kappa(static_cast<float>(w)); });
       list.push_back(j);
     }
+  for (const NamedCoefficient& named : named_coefficients()) {
+    const bool scatters = named.coefficient == Coefficient::scattering;
+    json j = entry_json(named.name, named.label, named.source, {});
+    j["class"] = scatters ? "scattering coefficient" : "absorption coefficient";
+    const CoefficientSpectrum spectrum(named.make());
+    j["per_metre"] = samples_json([&](double w) { return spectrum.at(static_cast<float>(w)); });
+    list.push_back(j);
+  }
   for (const SellmeierFormula& glass : sellmeier_formulas()) {
     json j = entry_json(glass.name, glass.label, glass.source, {});
     j["class"] = "glass";

@@ -250,6 +250,7 @@ template <class Color>
 class DiffuseOnly {
  public:
   void add(const Lambert<Color>& lobe) { lobe_ = lobe; }
+  void assign_lambertian(const Color& albedo) { lobe_.albedo = albedo; }
   void clear() { lobe_.albedo = Color(0); }
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta_lobe() const { return !empty(); }

@@ -101,8 +101,7 @@ std::optional<float> BasicFreeFlight<Color>::pass(const HeterogeneousMedium& med
       const Vec3 p = ray.at(from);
       const float density = medium.grid->density(p);
       if (medium.emits())
-        emitted_ +=
-            weight(coefficients.extinction * cell.highest, coefficients.emission_of(medium.emitted(p, density)));
+        emitted_ += weight(coefficients.extinction * cell.highest, medium.emitted(coefficients, p, density));
       if (random.next() * cell.highest < density) {
         extinction_ = coefficients.extinction;
         scattering_ = coefficients.scattering;

@@ -3,7 +3,9 @@
 // All coefficients are the product of the density, a number without a unit, and coefficients that hold at density 1.
 #pragma once
 #include <memory>
+#include <optional>
 
+#include "medium/blackbody_table.h"
 #include "medium/density_field.h"
 #include "medium/medium.h"
 #include "medium/random_stream.h"
@@ -24,29 +26,26 @@ struct HeterogeneousCoefficients {
   Color log_extinction{0};  // logarithm of `extinction`; -infinity for 0
 
   bool scatters() const { return !is_black(scattering); }
-  // The emission coefficient whose RGB value is given, in the colours of the path.
-  const Color& emission_of(const Color& rgb) const { return rgb; }
 };
 template <>
 struct HeterogeneousCoefficients<SampledSpectrum> {
-  SampledSpectrum scattering, extinction, log_extinction, absorption;
-  const MediumSpectra* spectra = nullptr;
+  SampledSpectrum scattering, extinction, log_extinction;
+  SampledSpectrum emission;  // radiance per metre, at the highest temperature without its colour
   const Wavelengths* wavelengths = nullptr;
 
   bool scatters() const { return !is_black(scattering); }
-  SampledSpectrum emission_of(const Rgb& rgb) const { return spectra->emission_at(rgb, absorption, *wavelengths); }
 };
 
 struct HeterogeneousMedium : HeterogeneousCoefficients<Rgb> {
   MediumSpectra spectra;
-  Rgb emission{0};  // at density 1 and the highest temperature: radiance per metre
+  Rgb emission{0};  // radiance per metre, at the highest temperature without its colour
   // Of the hottest part, kelvin; 0: the colour and brightness of emission do not depend on the temperature.
   float temperature = 0;
   TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
   std::shared_ptr<const PhaseFunction> phase;
   std::shared_ptr<const DensityGrid> grid;
-  Mat4 world_to_grid{1};            // to the unit cube of the grid
-  std::vector<Rgb> emission_table;  // emission by relative temperature, from 0 to 1
+  Mat4 world_to_grid{1};  // to the unit cube of the grid
+  std::optional<BlackbodyTable> blackbodies;
 
   // `additional` is further absorption at density 1, 1/m.
   HeterogeneousMedium(const MediumDescription& m, const Rgb& additional, std::shared_ptr<const DensityGrid> density,
@@ -62,6 +61,10 @@ struct HeterogeneousMedium : HeterogeneousCoefficients<Rgb> {
 
   // Emitted radiance per metre at a point of the unit cube with this density.
   Rgb emitted(const Vec3& p, float density) const;
+  // The same in the colours of a path.
+  Rgb emitted(const HeterogeneousCoefficients<Rgb>&, const Vec3& p, float density) const { return emitted(p, density); }
+  SampledSpectrum emitted(const HeterogeneousCoefficients<SampledSpectrum>& coefficients, const Vec3& p,
+                          float density) const;
 };
 
 // The optical depth of a span by the mean densities of the coarse cells, for MIS weights. It is a function of the span

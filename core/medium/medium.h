@@ -5,6 +5,7 @@
 #include "medium/density_field.h"
 #include "medium/medium_spectra.h"
 #include "medium/phase_function.h"
+#include "spectrum/emission_spectrum.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -32,7 +33,15 @@ struct MediumDescription {
   float temperature = 0;
   DensityRef density = {};  // factor on all coefficients; null in homogeneous media
   TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
+  // Measured coefficients, which spectral rendering uses; the RGB coefficients are then those of the spectra.
+  CoefficientSpectrumRef scattering_spectrum = {}, absorption_spectrum = {};
 
+  // Sets a coefficient to a measured one, and its RGB value; a spectrum that is none only leaves the RGB value.
+  void set_spectrum(Coefficient coefficient, const CoefficientSpectrumRef& spectrum);
+  // `additional` is further absorption, 1/m.
+  MediumSpectra spectra(const Rgb& additional) const;
+
+  bool has_spectrum() const { return scattering_spectrum || absorption_spectrum; }
   bool scatters() const { return !is_black(scattering); }
   bool emits() const { return !is_black(emission) && !is_black(absorption); }
   bool is_heterogeneous() const { return density && !is_clear(); }
@@ -46,6 +55,7 @@ struct MediumDescription {
 // A medium in the form that rendering reads.
 struct HomogeneousMedium : MediumCoefficients<Rgb> {
   MediumSpectra spectra;
+  std::shared_ptr<const EmissionSpectrum> blackbody;  // multiplies the emission; null if it has no temperature
   std::shared_ptr<const PhaseFunction> phase;
 
   HomogeneousMedium() = default;

@@ -5,9 +5,7 @@ namespace {
 
 constexpr float kPerMillimetre = 1000;  // 1/mm in 1/m
 
-PhaseFunctionRef henyey_greenstein(float g) {
-  return {make_phase_function("henyey-greenstein")->with("g", double{g})};
-}
+PhaseFunctionRef henyey_greenstein(float g) { return {make_phase_function("henyey-greenstein")->with("g", double{g})}; }
 
 // Reduced scattering coefficients, which stand for isotropic scattering.
 MediumPreset jensen(const char* name, const char* label, const Rgb& reduced_scattering, const Rgb& absorption) {
@@ -77,7 +75,7 @@ const MediumPreset* find_medium_preset(std::string_view name) {
 std::string_view preset_of(const MediumDescription& medium) {
   for (const MediumPreset& preset : medium_presets())
     if (preset.medium.scattering == medium.scattering && preset.medium.absorption == medium.absorption &&
-        preset.medium.phase == medium.phase)
+        preset.medium.phase == medium.phase && !medium.has_spectrum())
       return preset.name;
   return kNoMediumPreset;
 }

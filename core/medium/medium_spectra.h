@@ -1,6 +1,7 @@
-// Coefficients of media at the wavelengths of a path, derived from RGB coefficients.
+// Coefficients of media at the wavelengths of a path: measured, or derived from RGB coefficients.
 //
-// Both coefficients are smooth, bounded and not negative. RGB coefficients without colour give constant spectra.
+// Spectra of RGB coefficients are smooth, bounded and not negative. RGB coefficients without colour give constant
+// spectra.
 //
 //   scattering  sigma_s(lambda) = m S(lambda), where S has the RGB value sigma_s / m and m is twice the largest component:
 //               the RGB value of the spectrum is the RGB coefficient, so that thin media show the same colour
@@ -10,41 +11,55 @@
 // S is the smooth reflectance spectrum of [Jakob and Hanika 2019]. At other thicknesses the colours of RGB and spectral
 // rendering differ, because Beer's law holds for each wavelength.
 #pragma once
+#include <memory>
+
+#include "medium/coefficient_spectrum.h"
 #include "medium/medium_coefficients.h"
 
 namespace etendue {
+
+// A scattering coefficient by wavelength, 1/m.
+class ScatteringSpectrum {
+ public:
+  ScatteringSpectrum() = default;
+  explicit ScatteringSpectrum(const Rgb& scattering) : rgb_(RgbSpectrum::emission(scattering)) {}
+  explicit ScatteringSpectrum(std::shared_ptr<const CoefficientSpectrum> measured) : measured_(std::move(measured)) {}
+
+  SampledSpectrum at(const Wavelengths& wavelengths) const {
+    return measured_ ? measured_->at(wavelengths) : rgb_.at(wavelengths);
+  }
+
+ private:
+  RgbSpectrum rgb_ = RgbSpectrum::emission(Rgb(0));
+  std::shared_ptr<const CoefficientSpectrum> measured_;  // null: `rgb_` holds
+};
 
 // An absorption coefficient by wavelength, 1/m.
 class AbsorptionSpectrum {
  public:
   AbsorptionSpectrum() = default;
-  // `absorption` is the RGB coefficient, 1/m.
-  explicit AbsorptionSpectrum(const Rgb& absorption);
+  // The sum of an RGB coefficient in 1/m and of a measured one, which may be null.
+  explicit AbsorptionSpectrum(const Rgb& absorption, std::shared_ptr<const CoefficientSpectrum> measured = nullptr);
 
   SampledSpectrum at(const Wavelengths& wavelengths) const;
 
  private:
+  SampledSpectrum of_rgb(const Wavelengths& wavelengths) const;
+
   RgbSpectrum transmittance_ = RgbSpectrum::reflectance(Rgb(1));  // of one over `scale_` metres
   float scale_ = 0;                                               // the largest component, 1/m
   bool constant_ = true;
+  std::shared_ptr<const CoefficientSpectrum> measured_;
 };
 
 struct MediumSpectra {
-  RgbSpectrum scattering;
+  ScatteringSpectrum scattering;
   AbsorptionSpectrum absorption;
-  Rgb rgb_absorption{0};
+  RgbSpectrum source = RgbSpectrum::emission(Rgb(0));  // of emission: radiance where the medium is opaque
 
-  MediumSpectra() = default;
-  MediumSpectra(const Rgb& scattering_coefficient, const Rgb& absorption_coefficient)
-      : scattering(RgbSpectrum::emission(scattering_coefficient)),
-        absorption(absorption_coefficient),
-        rgb_absorption(absorption_coefficient) {}
-
-  // The emission coefficient whose RGB value is `emission`: the spectrum of the source function times the absorption.
-  SampledSpectrum emission_at(const Rgb& emission, const SampledSpectrum& absorption_at,
-                              const Wavelengths& wavelengths) const {
-    if (is_black(emission)) return SampledSpectrum(0);
-    return uplift_emission(ratio(emission, rgb_absorption), wavelengths) * absorption_at;
+  // The emission coefficient: the source function times the absorption.
+  SampledSpectrum emission_at(const SampledSpectrum& absorption_at, const Wavelengths& wavelengths) const {
+    return source.at(wavelengths) * absorption_at;
   }
 };
 

@@ -78,7 +78,7 @@ Color ratio_tracking(const HeterogeneousMedium& medium, const HeterogeneousCoeff
       [&](float at, const DensityGrid::Cell& cell) {
         const Vec3 p = ray.at(at);
         const float density = std::min(medium.grid->density(p), cell.highest), rate = rate_in(cell);
-        if (emitted) *emitted += estimate * coefficients.emission_of(medium.emitted(p, density)) / rate;
+        if (emitted) *emitted += estimate * medium.emitted(coefficients, p, density) / rate;
         estimate *= Color(1) - coefficients.extinction * (density / rate);
         terminate_small_channels(estimate, random);
         largest = largest_extinction(coefficients, estimate);

@@ -162,7 +162,7 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
 
 std::vector<image::Layer> render_medium_aovs(std::shared_ptr<const scene::CompiledScene> scene,
                                              const Document& document, const std::vector<std::string>& names,
-                                             uint32_t samples, int threads) {
+                                             uint32_t samples, int threads, const std::function<bool()>& continues) {
   std::vector<image::Layer> layers;
   std::vector<Rgb integrator::TransportTerms::*> terms;
   const auto width = static_cast<size_t>(document.width), height = static_cast<size_t>(document.height);
@@ -196,7 +196,8 @@ std::vector<image::Layer> render_medium_aovs(std::shared_ptr<const scene::Compil
   for (uint32_t sample = 0; sample < samples; ++sample) {
     if (sample % film::kHalfBuffers == 0) prepared.prepare_sampler(sample / film::kHalfBuffers);
     workers.run(
-        0, columns * rows, [&](int number) { render_block(number, sample); }, [] { return true; });
+        0, columns * rows, [&](int number) { render_block(number, sample); }, continues);
+    if (!continues()) return {};
   }
   return layers;
 }

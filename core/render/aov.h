@@ -1,5 +1,6 @@
 // Arbitrary output variables: properties of the first hit of each pixel, from the camera rays of its first samples.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,9 +27,9 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
 
 // The terms of the equation of transfer among these names, in the order of medium_aov_names(): radiance in cd/m^2,
 // estimated without bias by path tracing with `samples` paths per pixel and the maximum path length of the document's
-// integrator.
-std::vector<image::Layer> render_medium_aovs(std::shared_ptr<const scene::CompiledScene> scene,
-                                             const Document& document, const std::vector<std::string>& names,
-                                             uint32_t samples, int threads);
+// integrator. No layers if `continues`, which is called between blocks of pixels, returns false.
+std::vector<image::Layer> render_medium_aovs(
+    std::shared_ptr<const scene::CompiledScene> scene, const Document& document, const std::vector<std::string>& names,
+    uint32_t samples, int threads, const std::function<bool()>& continues = [] { return true; });
 
 }  // namespace etendue::render

@@ -16,9 +16,8 @@ void edit_medium(Document& document, const MediumOwner& owner, F&& edit) {
 }
 
 DocumentParameter preset_choice(const MediumOwner& owner, const MediumDescription& medium) {
-  DocumentParameter parameter =
-      choice_parameter(owner.section, "medium", "Medium",
-                       "Sets the coefficients and the phase function to those of a known medium");
+  DocumentParameter parameter = choice_parameter(
+      owner.section, "medium", "Medium", "Sets the coefficients and the phase function to those of a known medium");
   parameter.info.options = {kNoMediumPreset};
   parameter.info.option_labels = {"Custom"};
   for (const MediumPreset& preset : medium_presets()) {
@@ -31,14 +30,17 @@ DocumentParameter preset_choice(const MediumOwner& owner, const MediumDescriptio
       edit_medium(d, owner, [&](MediumDescription& m) {
         m.scattering = preset->medium.scattering;
         m.absorption = preset->medium.absorption;
+        m.scattering_spectrum = m.absorption_spectrum = {};
         m.phase = preset->medium.phase;
       });
   };
   return parameter;
 }
 
+// Editing an RGB coefficient replaces a measured one.
 void add_coefficient(DocumentParameters& list, const MediumOwner& owner, const char* const (&names)[3],
-                     const char* label, const Rgb& value, Rgb MediumDescription::*member, const char* doc) {
+                     const char* label, const Rgb& value, Rgb MediumDescription::*member,
+                     CoefficientSpectrumRef MediumDescription::*spectrum, const char* doc) {
   Vec3 shown(value.r, value.g, value.b);
   shown = glm::min(shown, Vec3(kLargestCoefficient));
   add_triple(list, owner.section,
@@ -48,9 +50,23 @@ void add_coefficient(DocumentParameters& list, const MediumOwner& owner, const c
               .range = {0, kLargestCoefficient},
               .doc = doc,
               .unit = "1/m"},
-             [owner, member](Document& d, int c, float v) {
-               edit_medium(d, owner, [&](MediumDescription& m) { (m.*member)[c] = v; });
+             [owner, member, spectrum](Document& d, int c, float v) {
+               edit_medium(d, owner, [&](MediumDescription& m) {
+                 (m.*member)[c] = v;
+                 m.*spectrum = {};
+               });
              });
+}
+
+void add_coefficient_spectrum(DocumentParameters& list, const MediumOwner& owner, Coefficient coefficient,
+                              const CoefficientSpectrumRef& value) {
+  list.push_back(make_parameter(owner.section, coefficient_spectrum_parameter(coefficient, value),
+                                [owner, coefficient](Document& d, const std::string& name) {
+                                  const auto spectrum = find_coefficient_spectrum(coefficient, name);
+                                  if (!spectrum) return;
+                                  edit_medium(d, owner,
+                                              [&](MediumDescription& m) { m.set_spectrum(coefficient, *spectrum); });
+                                }));
 }
 
 DocumentParameter phase_choice(const MediumOwner& owner, const MediumDescription& medium) {
@@ -116,14 +132,14 @@ void add_density(DocumentParameters& list, const MediumOwner& owner, const Mediu
     };
     list.push_back(std::move(parameter));
   }
-  list.push_back(make_parameter(
-      owner.section,
-      Choice<TransmittanceEstimator>{"medium-transmittance", "Transmittance", medium.estimator,
-                                     "Estimator for shadow rays. Delta: noisy. Ratio and residual ratio: less noise for "
-                                     "more work. Regular: exact, visits all voxels"},
-      [owner](Document& d, TransmittanceEstimator v) {
-        edit_medium(d, owner, [&](MediumDescription& m) { m.estimator = v; });
-      }));
+  list.push_back(make_parameter(owner.section,
+                                Choice<TransmittanceEstimator>{
+                                    "medium-transmittance", "Transmittance", medium.estimator,
+                                    "Estimator for shadow rays. Delta: noisy. Ratio and residual ratio: less noise for "
+                                    "more work. Regular: exact, visits all voxels"},
+                                [owner](Document& d, TransmittanceEstimator v) {
+                                  edit_medium(d, owner, [&](MediumDescription& m) { m.estimator = v; });
+                                }));
 }
 
 void add_medium_emission(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
@@ -137,17 +153,16 @@ void add_medium_emission(DocumentParameters& list, const MediumOwner& owner, con
              [owner](Document& d, int c, float v) {
                edit_medium(d, owner, [&](MediumDescription& m) { m.emission[c] = v; });
              });
-  list.push_back(make_parameter(owner.section,
-                                Number<float>{"medium-temperature",
-                                              "Medium temperature",
-                                              medium.temperature,
-                                              {0, 40000},
-                                              "Gives the emission the colour of a black body; where the density has a "
-                                              "temperature, this is the highest one. 0: the colour of the emission",
-                                              "K"},
-                                [owner](Document& d, float v) {
-                                  edit_medium(d, owner, [&](MediumDescription& m) { m.temperature = v; });
-                                }));
+  list.push_back(make_parameter(
+      owner.section,
+      Number<float>{"medium-temperature",
+                    "Medium temperature",
+                    medium.temperature,
+                    {0, 40000},
+                    "Gives the emission the colour of a black body; where the density has a "
+                    "temperature, this is the highest one. 0: the colour of the emission",
+                    "K"},
+      [owner](Document& d, float v) { edit_medium(d, owner, [&](MediumDescription& m) { m.temperature = v; }); }));
   if (!medium.emits()) list.back().inactive_reason = "The medium emits no light: set its emission and its absorption";
 }
 
@@ -156,11 +171,13 @@ void add_medium_emission(DocumentParameters& list, const MediumOwner& owner, con
 void add_medium_parameters(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
   list.push_back(preset_choice(owner, medium));
   add_coefficient(list, owner, {"scattering.r", "scattering.g", "scattering.b"}, "Scattering", medium.scattering,
-                  &MediumDescription::scattering,
+                  &MediumDescription::scattering, &MediumDescription::scattering_spectrum,
                   "Scattering coefficient of the medium: higher scatters light after a shorter distance");
   add_coefficient(list, owner, {"absorption.r", "absorption.g", "absorption.b"}, "Absorption", medium.absorption,
-                  &MediumDescription::absorption,
+                  &MediumDescription::absorption, &MediumDescription::absorption_spectrum,
                   "Absorption coefficient of the medium: higher absorbs light after a shorter distance");
+  add_coefficient_spectrum(list, owner, Coefficient::scattering, medium.scattering_spectrum);
+  add_coefficient_spectrum(list, owner, Coefficient::absorption, medium.absorption_spectrum);
   add_phase_function(list, owner, medium);
   add_medium_emission(list, owner, medium);
   add_density(list, owner, medium);

@@ -143,7 +143,7 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     inside.attenuation_distance = material.description.attenuation_distance;
     inside.absorption = material.description.medium.absorption;
     const Rgb attenuation = absorption_of_attenuation(material.description);
-    inside.absorption_spectrum = AbsorptionSpectrum(inside.absorption + attenuation);
+    inside.absorption_spectrum = material.description.medium.spectra(attenuation).absorption;
     if (material.description.medium.is_volume())
       inside.medium = HomogeneousMedium(material.description.medium, attenuation);
     inside.has_surface = !material.description.boundary_only || material.is_emissive;

@@ -1,10 +1,10 @@
 #include "spectrum/emission_spectrum.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
-#include <mutex>
 
+#include "spectrum/named_spectra.h"
 #include "spectrum/uplift.h"
 
 namespace etendue {
@@ -31,13 +31,23 @@ double mean_around(const Spectrum& spectrum, double wavelength) {
   return sum / kSteps;
 }
 
+Result<EmissionSpectrum> prepared(const std::string& name) {
+  const auto spectrum = find_spectrum(name);
+  if (!spectrum) return spectrum.error();
+  EmissionSpectrum emission(*spectrum);
+  if (is_black(emission.rgb()))
+    return input_error("'" + name + "' emits no visible light; give a spectrum with power between 380 and 780 nm");
+  return emission;
+}
+
 }  // namespace
 
 EmissionSpectrum::EmissionSpectrum(const Spectrum& spectrum) {
+  constexpr size_t kNodes = WavelengthTable::kNodes;
   std::array<double, kNodes> relative{};
   std::array<double, 3> sum{};
   for (size_t i = 0; i < kNodes; ++i) {
-    const double wavelength = kFirstWavelength + static_cast<double>(i);
+    const double wavelength = WavelengthTable::wavelength(i);
     relative[i] = mean_around(spectrum, wavelength) / d65_at(wavelength);
     const auto weights = relative_rgb_weights(wavelength);
     const double width = i == 0 || i + 1 == kNodes ? 0.5 : 1;
@@ -50,18 +60,6 @@ EmissionSpectrum::EmissionSpectrum(const Spectrum& spectrum) {
   }
   for (size_t i = 0; i < kNodes; ++i) values_[i] = static_cast<float>(relative[i] / luminance);
   for (int c = 0; c < 3; ++c) rgb_[c] = static_cast<float>(std::max(sum[static_cast<size_t>(c)] / luminance, 0.0));
-}
-
-SampledSpectrum EmissionSpectrum::at(const Wavelengths& wavelengths) const {
-  SampledSpectrum result;
-  for (size_t i = 0; i < wavelengths.nm.size(); ++i) {
-    const float x =
-        std::clamp(wavelengths.nm[i] - static_cast<float>(kFirstWavelength), 0.0f, static_cast<float>(kNodes - 1));
-    const size_t node = std::min(static_cast<size_t>(x), kNodes - 2);
-    const float t = x - static_cast<float>(node);
-    result.values[i] = values_[node] * (1 - t) + values_[node + 1] * t;
-  }
-  return result;
 }
 
 // Components outside the gamut take the largest factor of the others.
@@ -82,23 +80,13 @@ SampledSpectrum EmissionSpectrum::emission(const Rgb& emitted, const Wavelengths
 }
 
 Result<EmissionSpectrumRef> find_emission_spectrum(std::string_view name) {
-  static std::mutex mutex;
-  static std::map<std::string, std::shared_ptr<const EmissionSpectrum>, std::less<>> known;
+  static NamedSpectra<EmissionSpectrum> known;
   EmissionSpectrumRef ref;
   if (name.empty() || name == kNoSpectrum) return ref;
   ref.name = name;
-  const std::scoped_lock lock(mutex);
-  // Errors are not kept: the file may appear or be corrected.
-  if (const auto found = known.find(name); found != known.end()) {
-    ref.spectrum = found->second;
-    return ref;
-  }
-  const auto spectrum = find_spectrum(ref.name);
+  const auto spectrum = known.find(ref.name, prepared);
   if (!spectrum) return spectrum.error();
-  auto prepared = std::make_shared<const EmissionSpectrum>(*spectrum);
-  if (is_black(prepared->rgb()))
-    return input_error("'" + ref.name + "' emits no visible light; give a spectrum with power between 380 and 780 nm");
-  ref.spectrum = known[ref.name] = std::move(prepared);
+  ref.spectrum = *spectrum;
   return ref;
 }
 

@@ -3,15 +3,13 @@
 // A spectrum gives an emitter its distribution over the wavelengths; the scale comes from the emitter. Spectra are
 // relative to illuminant D65, as all spectral quantities of paths (wavelengths.h), and scaled to a luminance of 1.
 #pragma once
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/parameter.h"
 #include "spectrum/spectrum.h"
-#include "spectrum/wavelengths.h"
+#include "spectrum/wavelength_table.h"
 
 namespace etendue {
 
@@ -25,18 +23,16 @@ class EmissionSpectrum {
   const Rgb& rgb() const { return rgb_; }
 
   // The spectrum relative to D65, linear between whole nanometres.
-  SampledSpectrum at(const Wavelengths& wavelengths) const;
+  SampledSpectrum at(const Wavelengths& wavelengths) const { return values_.at(wavelengths); }
 
   // The spectrum of an emitter whose RGB value is `emitted`, that of this spectrum times a factor. A factor with a
   // colour, of a texture or tint, is a smooth spectrum (uplift.h).
   SampledSpectrum emission(const Rgb& emitted, const Wavelengths& wavelengths) const;
 
  private:
-  static constexpr size_t kNodes = 401;
-
   Rgb factor_of(const Rgb& emitted) const;
 
-  std::array<float, kNodes> values_{};
+  WavelengthTable values_;
   Rgb rgb_{1};
 };
 

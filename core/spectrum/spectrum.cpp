@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "base/file.h"
 #include "base/number_text.h"
@@ -86,6 +87,11 @@ double Spectrum::operator()(double wavelength) const {
   const Sample &a = *(after - 1), &b = *after;
   const double t = (wavelength - a.wavelength) / (b.wavelength - a.wavelength);
   return a.value * (1 - t) + b.value * t;
+}
+
+std::pair<double, double> Spectrum::range() const {
+  if (samples_.empty()) return {0, std::numeric_limits<double>::infinity()};
+  return {samples_.front().wavelength, samples_.back().wavelength};
 }
 
 Xyz Spectrum::xyz() const { return xyz_of(*this); }

@@ -1,6 +1,7 @@
 // Spectra of light: constant, black body, or tabulated.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -24,6 +25,8 @@ class Spectrum {
   static Result<Spectrum> piecewise_linear(std::vector<Sample> samples);
 
   double operator()(double wavelength) const;
+  // The first and the last wavelength of the samples; of all positive numbers without samples.
+  std::pair<double, double> range() const;
 
   Xyz xyz() const;
   // Lumens per watt of the visible part, 380 to 780 nm; 0 for a black spectrum.

@@ -35,16 +35,25 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
+// The first medium whose coefficients are measured by wavelength; empty if there is none.
+std::string medium_with_spectrum(const CompiledScene& scene) {
+  for (uint32_t i = 0; i < scene.solids().size(); ++i) {
+    const SurfaceMaterial& material = scene.materials()[scene.solids()[i].material];
+    if (material.description.medium.has_spectrum()) return "the medium in " + named(material);
+  }
+  return scene.solids().atmosphere() && scene.description().atmosphere.medium.has_spectrum() ? "the atmosphere" : "";
+}
+
 // RGB or spectral, which is needed if the index of refraction of a visible material depends on the wavelength, or if an
-// emitter has a spectrum.
+// emitter or a medium has a spectrum.
 Decision decide_color(const CompiledScene& scene, ColorMode mode) {
   const auto* dispersive = find_used(scene, [](const auto& m) { return m.disperses(); });
-  const std::string emitter = scene.emitter_with_spectrum();
-  Decision d{"colour", "RGB", "RGB", "no material disperses light and no emitter has a spectrum"};
+  const std::string emitter = scene.emitter_with_spectrum(), medium = medium_with_spectrum(scene);
+  Decision d{"colour", "RGB", "RGB", "no material disperses light, and no emitter or medium has a spectrum"};
   if (dispersive)
     d.needed = "spectral", d.reason = named(*dispersive) + " disperses light";
-  else if (!emitter.empty())
-    d.needed = "spectral", d.reason = emitter + " has a spectrum";
+  else if (!emitter.empty() || !medium.empty())
+    d.needed = "spectral", d.reason = (emitter.empty() ? medium : emitter) + " has a spectrum";
   d.value = mode == ColorMode::automatic ? d.needed : mode == ColorMode::spectral ? "spectral" : "RGB";
   if (d.value == d.needed) return d;
   d.reason += d.value == "spectral" ? "; spectral selected" : "; RGB selected";
@@ -155,14 +164,17 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
                        is_forced("classes")));
 
   model.moving = moves || is_forced("motion");
-  model.classes = filtered || model.spectral || is_forced("classes");
+  const bool classes = filtered || is_forced("classes"), media = out[2].value != "vacuum";
+  model.diffuse = out[1].value == "diffuse" && !media && !(model.spectral && classes);
+  // Spectral rendering has one small model and one large one.
+  const bool large_spectral = model.spectral && !model.diffuse;
+  model.classes = classes || large_spectral;
   if (model.classes)
     model.paths =
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
-  model.media = model.spectral || out[2].value != "vacuum";
+  model.media = media || large_spectral;
   model.scattering = scene.scatters();
   model.heterogeneous = scene.solids().any_heterogeneous() || scene.solids().any_medium_emits();
-  model.diffuse = out[1].value == "diffuse" && !model.media;
   model.wide = out[1].value == "any";
   return model;
 }

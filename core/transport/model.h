@@ -33,8 +33,8 @@ struct Decision {
 };
 
 struct Model {
-  bool spectral = false;                        // paths carry wavelengths; implies `media` and `classes`
-  bool diffuse = false;                         // every surface is Lambertian
+  bool spectral = false;                        // paths carry wavelengths; implies `diffuse`, or `media` and `classes`
+  bool diffuse = false;                         // every surface is Lambertian, and there are no media
   bool wide = false;                            // some surface has rarely used lobes
   bool media = false;                           // paths store the solids that contain them
   bool scattering = false;                      // light is scattered or emitted between surfaces; implies `media`

@@ -42,8 +42,9 @@ using AnyMedia = ModelType<Rgb, AllLobes, MediaType::solids, classes>;
 template <bool classes>
 using ScatteringMedia = ModelType<Rgb, AllLobes, MediaType::scattering, classes>;
 
-// Used by all spectral rendering, by integrators that support it. Without an expression, the path classes are all
-// paths.
+// Used by spectral rendering of diffuse scenes without media, by integrators that support it.
+using SpectralDiffuse = ModelType<SampledSpectrum, DiffuseOnly, MediaType::vacuum, false>;
+// Used by all other spectral rendering. Without an expression, the path classes are all paths.
 using Spectral = ModelType<SampledSpectrum, AllLobes, MediaType::scattering, true>;
 
 template <bool classes, class F>
@@ -74,6 +75,7 @@ decltype(auto) with_scattering_model(const Model& model, F&& f) {
 // The same for integrators that also support spectral rendering.
 template <class F>
 decltype(auto) with_spectral_model(const Model& model, F&& f) {
+  if (model.spectral && model.diffuse) return f(SpectralDiffuse{});
   if (model.spectral) return f(Spectral{});
   return with_scattering_model(model, f);
 }

@@ -54,16 +54,18 @@ template <class M>
 requires(M::kSpectral && !M::kScattering) void build_bsdf(const scene::SurfacePoint& point,
                                                           const Wavelengths& wavelengths, Bsdf<M>& bsdf) {
   bsdf.rebind(point.shading, point.ng);
-  if (point.material->is_lambertian) {
+  if (M::kDiffuse || point.material->is_lambertian) {
     if (point.material->has_constant_base_color && point.texture.color == Vec4(1))
       return bsdf.lobes.assign_lambertian(point.material->base_spectrum.at(wavelengths));
     const Vec4 base = point.material->base_color_at(point.texture);
     return bsdf.lobes.assign_lambertian(uplift_reflectance(Rgb(base.x, base.y, base.z), wavelengths));
   }
-  AllLobes<Rgb> lobes;
-  add_lobes(*point.material, point.texture, lobes, point.material->has_coat_normal ? point.coat : Vec3(0, 0, 1));
-  set_media_at(point, wavelengths.hero(), lobes);
-  bsdf.lobes.assign(lobes, wavelengths);
+  if constexpr (!M::kDiffuse) {
+    AllLobes<Rgb> lobes;
+    add_lobes(*point.material, point.texture, lobes, point.material->has_coat_normal ? point.coat : Vec3(0, 0, 1));
+    set_media_at(point, wavelengths.hero(), lobes);
+    bsdf.lobes.assign(lobes, wavelengths);
+  }
 }
 template <class M>
 requires(M::kSpectral&& M::kScattering) void build_bsdf(const scene::SurfacePoint& point,

@@ -5,6 +5,7 @@
 #include "render/display_frame.h"
 #include "render/document.h"
 #include "render/session.h"
+#include "scene/compiled_scene.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/actions/conditions.h"
 #include "viewer/state/document_info.h"
@@ -36,7 +37,8 @@ void set_automatic_exposure(AppState& state) {
 
 // After the last AOV follows the image itself.
 void show_next_aov(AppState& state) {
-  const auto names = aov_layer_names();
+  const auto scene = state.session->scene();
+  const auto names = aov_layer_names(scene.get());
   std::string& shown = state.viewport.aov_name;
   if (shown.empty()) {
     shown = names.front();
@@ -111,14 +113,16 @@ void add_display_actions(ActionList& actions) {
                .run = set_automatic_exposure,
                .enabled = has_document,
                .section = "display"});
-  actions.add({.name = "display.next-aov",
-               .menu = "View",
-               .label = "Next AOV",
-               .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, error; then the image again",
-               .shortcut = "v",
-               .run = show_next_aov,
-               .enabled = has_document,
-               .section = "display"});
+  actions.add(
+      {.name = "display.next-aov",
+       .menu = "View",
+       .label = "Next AOV",
+       .tooltip =
+           "Shows the next AOV: albedo, normals, depth, position, ids, terms of media, error; then the image again",
+       .shortcut = "v",
+       .run = show_next_aov,
+       .enabled = has_document,
+       .section = "display"});
   actions.add({.name = "display.toggle-false-color",
                .menu = "View",
                .label = "False colour",

@@ -1,18 +1,19 @@
 // How radiance is displayed: exposure, tone mapping, false colours and AOVs. Nothing here changes the rendering.
 #include <imgui.h>
 
-#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "render/document.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -20,10 +21,10 @@ namespace {
 // The option that stands for the image itself; a stable name for scripts.
 constexpr const char* kImageOption = "picture";
 
-// "shading-normal" as "Shading normal".
+// "shading-normal" as "Shading normal", "medium-in-scattering" as "Medium in-scattering".
 std::string label_of(std::string name) {
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  std::ranges::replace(name, '-', ' ');
+  if (const size_t dash = name.find('-'); dash != std::string::npos) name[dash] = ' ';
   return name;
 }
 
@@ -37,7 +38,8 @@ ParameterInfo false_color_parameter(bool value) {
   return info;
 }
 
-ParameterInfo aov_parameter(const std::string& value) {
+// Of a scene; null: with all AOVs.
+ParameterInfo aov_parameter(const std::string& value, const scene::CompiledScene* scene = nullptr) {
   ParameterInfo info;
   info.name = "view.aov";
   info.label = "AOV";
@@ -45,7 +47,7 @@ ParameterInfo aov_parameter(const std::string& value) {
   info.type = ParameterType::choice;
   info.options = {kImageOption};
   info.option_labels = {"Beauty"};
-  for (const std::string& name : aov_layer_names()) {
+  for (const std::string& name : aov_layer_names(scene)) {
     info.options.push_back(name);
     info.option_labels.push_back(label_of(name));
   }
@@ -93,7 +95,7 @@ class DisplayPanel final : public Panel {
     ViewportState& viewport = state.viewport;
     if (const auto value = parameter_widget(state, false_color_parameter(viewport.false_color)))
       viewport.false_color = std::get<bool>(*value);
-    if (const auto value = parameter_widget(state, aov_parameter(viewport.aov_name)))
+    if (const auto value = parameter_widget(state, aov_parameter(viewport.aov_name, state.session->scene().get())))
       viewport.aov_name = to_string(*value) == kImageOption ? "" : to_string(*value);
     if (viewport.aov_name.empty()) return;
     note(state.ui, viewport.aov->is_busy() ? "Computing the AOV." : "The rendering continues in the background.");

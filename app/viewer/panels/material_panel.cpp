@@ -31,7 +31,8 @@ const Names kTransmissionNames{"transmission",        "thickness",           "at
 const Names kOpacityNames{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
 
 // Prefixes of the parameters of the medium inside a solid.
-constexpr const char* kMediumPrefixes[] = {"medium", "scattering.", "absorption.", "phase", "density", "boundary-only"};
+constexpr const char* kMediumPrefixes[] = {"medium",      "scattering.", "scattering-", "absorption.",
+                                           "absorption-", "phase",       "density",     "boundary-only"};
 
 // A layer of the glTF surface. Its group is open if the material has the layer.
 struct Layer {

@@ -6,6 +6,7 @@
 #include "render/session.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/stored_points.h"
 
@@ -61,6 +62,13 @@ json comparison_report(const Comparison& c) {
   return j;
 }
 
+json aov_report(const AovImage& image) {
+  Rgb sum(0);
+  for (const Rgb& pixel : image.pixels) sum += pixel;
+  const float mean = image.pixels.empty() ? 0 : luminance(sum) / static_cast<float>(image.pixels.size());
+  return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
+}
+
 // The former name of a bottom panel, "sheet.health" for "panel.reliability"; an empty text for none.
 std::string sheet_name(const Panel* panel) {
   if (!panel) return "";
@@ -100,6 +108,7 @@ std::string state_report(AppState& state) {
          {"sheet", sheet_name(bottom_panel)},
          {"comparison", comparison_report(*state.viewport.comparison)},
          {"points", nullptr},
+         {"aov", nullptr},
          {"interface_share", state.timing.interface_share},
          {"first_picture_seconds", state.timing.first_image_seconds},
          {"latency_ms", percentiles(state.session->take_latencies())},
@@ -108,6 +117,7 @@ std::string state_report(AppState& state) {
   for (const auto& statistic : status.statistics) j["statistics"][statistic.name] = statistic.value;
   if (const auto* points = state.viewport.stored_points->result())
     j["points"] = {{"kept", points->stored}, {"seen", points->points.size()}};
+  if (state.shows_aov()) j["aov"] = aov_report(state.viewport.aov->image());
   for (const auto& panel : state.panels.all()) panel->report(state, j);
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -10,6 +10,7 @@
 #include "viewer/script/step.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/stored_points.h"
 
@@ -67,7 +68,13 @@ std::vector<WaitCondition> viewport_conditions() {
       return impossible("stored points are searched while they are shown; click view.points first");
     return {.done = state.viewport.stored_points->result() != nullptr};
   };
-  return {{.name = "comparison", .check = comparison, .needs_frames = true}, {.name = "points", .check = points}};
+  const auto aov = [](AppState& state, std::optional<uint32_t>) -> StepStatus {
+    if (state.viewport.aov_name.empty()) return impossible("an AOV is computed while it is shown; set view.aov first");
+    return {.done = state.shows_aov() && state.viewport.aov->image().version == state.editor->version()};
+  };
+  return {{.name = "comparison", .check = comparison, .needs_frames = true},
+          {.name = "points", .check = points},
+          {.name = "aov", .check = aov}};
 }
 
 std::vector<WaitCondition> all_conditions(const std::vector<std::unique_ptr<Panel>>& panels) {

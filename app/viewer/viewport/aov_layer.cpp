@@ -1,10 +1,13 @@
 #include "viewer/viewport/aov_layer.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "base/hash.h"
 #include "render/aov.h"
 #include "render/session.h"
+#include "scene/compiled_scene.h"
 #include "spectrum/colormap.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/error_layer.h"
@@ -15,6 +18,12 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kSamplesPerPixel = 2;
+constexpr uint32_t kFirstMediumSamples = 1, kLastMediumSamples = 256, kMediumGrowth = 4;
+
+bool is_medium_term(const std::string& name) {
+  const auto& names = render::medium_aov_names();
+  return std::ranges::find(names, name) != names.end();
+}
 
 // A random colour for each id, so that neighbouring ids differ. Id 0 is black.
 Rgb color_of_id(float id) {
@@ -78,10 +87,31 @@ AovImage aov_image(const scene::CompiledScene& scene, const std::string& name, c
           .pixels = layers.empty() ? std::vector<Rgb>(pixels) : false_colors(layers.front(), pixels)};
 }
 
+AovImage medium_image(std::shared_ptr<const scene::CompiledScene> scene, const std::string& name,
+                      const render::Document& document, uint64_t version, uint32_t samples,
+                      const std::atomic<bool>& cancelled) {
+  const auto layers =
+      render::render_medium_aovs(std::move(scene), document, {name}, samples, 1, [&] { return !cancelled.load(); });
+  if (layers.empty()) return {};
+  AovImage image{.name = name,
+                 .version = version,
+                 .samples = samples,
+                 .is_radiance = true,
+                 .scale = formatted(samples == 1 ? "%u sample per pixel" : "%u samples per pixel", samples),
+                 .width = document.width,
+                 .height = document.height,
+                 .pixels = {}};
+  const std::vector<float>& values = layers.front().pixels;
+  for (size_t i = 0; i + 2 < values.size(); i += 3) image.pixels.push_back({values[i], values[i + 1], values[i + 2]});
+  return image;
+}
+
 }  // namespace
 
-std::vector<std::string> aov_layer_names() {
+std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
   auto names = render::aov_names();
+  if (!scene || scene->scatters())
+    names.insert(names.end(), render::medium_aov_names().begin(), render::medium_aov_names().end());
   names.emplace_back(kErrorLayer);
   return names;
 }
@@ -89,9 +119,35 @@ std::vector<std::string> aov_layer_names() {
 // The error layer is updated when the number of samples has grown by a quarter.
 bool AovLayer::is_outdated(const std::string& name) const {
   if (image_.name != name || image_.version != editor_.version()) return true;
+  if (is_medium_term(name)) return image_.samples < kLastMediumSamples;
   if (name != kErrorLayer) return false;
   const render::Status status = session_.status();
   return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
+}
+
+AovLayer::~AovLayer() { cancel(); }
+
+// Ends the computation of terms of media, which takes long.
+void AovLayer::cancel() {
+  if (cancelled_) cancelled_->store(true);
+  cancelled_.reset();
+  task_.abandon();
+}
+
+void AovLayer::start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
+  requested_ = {.name = name, .version = version};
+  if (name == kErrorLayer)
+    return task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
+  if (!is_medium_term(name))
+    return task_.start(
+        [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
+        wake_);
+  const bool continues = image_.name == name && image_.version == version;
+  const uint32_t samples = continues ? image_.samples * kMediumGrowth : kFirstMediumSamples;
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  task_.start([scene, name, document = editor_.document(), version, samples,
+               cancelled = cancelled_] { return medium_image(scene, name, document, version, samples, *cancelled); },
+              wake_);
 }
 
 bool AovLayer::update(const std::string& name) {
@@ -102,14 +158,9 @@ bool AovLayer::update(const std::string& name) {
   }
   const auto scene = session_.scene();
   const uint64_t version = editor_.version();
+  if (task_.running() && (requested_.name != name || requested_.version != version)) cancel();
   const bool can_start = !task_.running() && scene && session_.status().version == version;
-  if (name.empty() || !can_start || !is_outdated(name)) return has_new_image;
-  if (name == kErrorLayer)
-    task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
-  else
-    task_.start(
-        [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
-        wake_);
+  if (!name.empty() && can_start && is_outdated(name)) start(name, scene, version);
   return has_new_image;
 }
 

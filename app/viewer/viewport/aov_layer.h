@@ -1,7 +1,10 @@
-// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, and the error of each pixel. They are
-// computed beside the main rendering, which continues.
+// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, and the terms
+// of the equation of transfer in scenes with participating media. They are computed beside the main rendering, which
+// continues. The terms are computed again with more samples until they have 256 per pixel.
 #pragma once
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,9 @@
 namespace etendue::render {
 class Session;
 }
+namespace etendue::scene {
+class CompiledScene;
+}
 
 namespace etendue::viewer {
 
@@ -18,22 +24,27 @@ class Editor;
 
 struct AovImage {
   std::string name;
-  uint64_t version = 0;    // of the document
-  uint32_t samples = 0;    // of the rendering, for the error
-  std::string scale = {};  // meaning of the colours: "0.001 to 0.03"
+  uint64_t version = 0;      // of the document
+  uint32_t samples = 0;      // of the rendering, for the error; of the image, for the terms of media
+  bool is_radiance = false;  // in cd/m^2, shown like the image; else colours that are shown as they are
+  std::string scale = {};    // meaning of the colours: "0.001 to 0.03"
   int width = 0;
   int height = 0;
   std::vector<Rgb> pixels;  // linear colours
 };
 
-// The name of the error layer. The other names are those of render::aov_names().
+// The name of the error layer. The other names are those of render::aov_names() and render::medium_aov_names().
 inline constexpr const char* kErrorLayer = "error";
-std::vector<std::string> aov_layer_names();
+// The layers of a scene; null: all layers.
+std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene = nullptr);
 
 class AovLayer {
  public:
   AovLayer(render::Session& session, const Editor& editor, std::function<void()> wake)
       : session_(session), editor_(editor), wake_(std::move(wake)) {}
+  ~AovLayer();
+  AovLayer(const AovLayer&) = delete;
+  AovLayer& operator=(const AovLayer&) = delete;
 
   // Called once per frame with the name of the layer to show, or an empty name. Returns true if there is a new image.
   bool update(const std::string& name);
@@ -41,12 +52,21 @@ class AovLayer {
   bool is_busy() const { return task_.running(); }
 
  private:
+  struct Request {
+    std::string name;
+    uint64_t version = 0;
+  };
+
   bool is_outdated(const std::string& name) const;
+  void start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
+  void cancel();
 
   render::Session& session_;
   const Editor& editor_;
   std::function<void()> wake_;
+  std::shared_ptr<std::atomic<bool>> cancelled_;  // of the work on terms of media
   BackgroundTask<AovImage> task_;
+  Request requested_;  // what the task computes
   AovImage image_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "render/document.h"
 #include "viewer/state/app_state.h"
+#include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 
 namespace etendue::viewer {
@@ -37,7 +38,10 @@ void ComparisonView::draw(const AppState& state, GLuint framebuffer, Vec2i frame
       .exposure = display.exposure, .curve = display.curve, .false_color = state.viewport.false_color};
   const DisplaySettings unchanged;  // for false-colour images
   const Comparison& c = *state.viewport.comparison;
-  if (state.shows_aov()) return live_.draw(framebuffer, framebuffer_size, place, unchanged);
+  if (state.shows_aov()) {
+    const bool is_radiance = state.viewport.aov->image().is_radiance;
+    return live_.draw(framebuffer, framebuffer_size, place, is_radiance ? settings : unchanged);
+  }
   if (c.reference_is_shown())
     return view_of(state, reference_slot, c.reference).draw(framebuffer, framebuffer_size, place, settings);
   if (!c.is_active()) return live_.draw(framebuffer, framebuffer_size, place, settings);

@@ -76,7 +76,7 @@ class PathWavefront {
   // Makes launched paths keep a colour channel in scattering media: the hero wavelength of a spectral path, else one
   // that alternates between the samples of a pixel.
   void stratify_channels() {
-    if constexpr (M::kSpectral)
+    if constexpr (M::kSpectral && M::kScattering)
       for (int i = 0; i < size_; ++i) media_.keep_channel(i, 0);
     else if constexpr (M::kScattering)
       for (int i = 0; i < size_; ++i)
@@ -513,8 +513,9 @@ void PathWavefront<M>::compute_points(size_t first, size_t count) {
 template <class M>
 void PathWavefront<M>::build_surface_bsdf([[maybe_unused]] int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf) {
   if constexpr (M::kSpectral) {
-    if (!color_.wavelengths(path).hero_only && disperses(at))
-      color_.end_secondary(path, media_.keep_first_channel(path), state(path).throughput);
+    if constexpr (!M::kDiffuse)
+      if (!color_.wavelengths(path).hero_only && disperses(at))
+        color_.end_secondary(path, media_.keep_first_channel(path), state(path).throughput);
     build_bsdf<M>(at, color_.wavelengths(path), bsdf);
   } else {
     build_bsdf<M>(at, bsdf);

@@ -466,6 +466,28 @@ TEST_F(Saving, SpectraOfEmitters) {
   EXPECT_TRUE(warns(*lost, "ETENDUE_transport.spectrum: ")) << all(lost->warnings);
 }
 
+TEST_F(Saving, SpectraOfMedia) {
+  std::ofstream(folder_ / "dye.csv") << "400,1\n700,3\n";
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  before.atmosphere.medium.set_spectrum(Coefficient::absorption,
+                                        *find_coefficient_spectrum(Coefficient::absorption, "pure-water"));
+  before.materials[0].medium.set_spectrum(
+      Coefficient::scattering, *find_coefficient_spectrum(Coefficient::scattering, (folder_ / "dye.csv").string()));
+  const scene::Scene after = saved(before);
+  EXPECT_EQ(difference(before, after), "");
+  EXPECT_TRUE(after.atmosphere.medium.absorption_spectrum);
+  EXPECT_TRUE(after.materials[0].medium.scattering_spectrum);
+
+  json file = description(before);
+  EXPECT_EQ(file["materials"][0]["extensions"]["ETENDUE_transport"]["medium"]["scatteringSpectrum"], "dye.csv");
+  file["materials"][0]["extensions"]["ETENDUE_transport"]["medium"]["scatteringSpectrum"] = "no.csv";
+  std::ofstream(folder_ / "lost.gltf") << file;
+  const auto lost = scene::load_gltf(folder_ / "lost.gltf");
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(lost->materials[0].medium.scattering_spectrum);
+  EXPECT_TRUE(warns(*lost, "scatteringSpectrum: ")) << all(lost->warnings);
+}
+
 // ETENDUE_transport keeps what KHR_lights_punctual cannot hold; other readers find point lights of the same power.
 TEST_F(Saving, LightsOfEveryType) {
   scene::Scene before = scene::find_builtin("cornell")->make();

@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "render/measured_spectrum.h"
 #include "scene/compiled_scene.h"
+#include "spectrum/blackbody.h"
 #include "spectrum/observer.h"
 #include "spectrum/uplift.h"
 #include "statistical/media/expected_radiance.h"
@@ -92,6 +94,37 @@ TEST(SpectralMedia, AbsorbByBeersLawAtEachWavelength) {
   }
 }
 
+// The same, by quadrature with steps of half a nanometre: measured spectra have steep edges.
+Rgb fine_rgb_of_wavelengths(const std::function<double(float)>& spectrum) {
+  constexpr int kSteps = 800;
+  Rgb sum(0);
+  for (int i = 0; i < kSteps; ++i) {
+    const double nm = 380 + 400 * (i + 0.5) / kSteps;
+    const auto weights = relative_rgb_weights(nm);
+    const double value = spectrum(static_cast<float>(nm)) * 400 / kSteps;
+    for (int c = 0; c < 3; ++c) sum[c] += static_cast<float>(value * weights[static_cast<size_t>(c)]);
+  }
+  return sum;
+}
+
+// White light behind two metres of water with its measured absorption, as an atmosphere.
+TEST(SpectralMedia, AbsorbByMeasuredCoefficients) {
+  const auto water = find_coefficient_spectrum(Coefficient::absorption, "pure-water");
+  ASSERT_TRUE(water);
+  scene::Scene scene;
+  scene.atmosphere.medium.set_spectrum(Coefficient::absorption, *water);
+  scene.atmosphere.radius = 20;
+  add(scene, test::quad(5), test::diffuse(Rgb(0), Rgb(1)));
+  const Document d = small_view(std::move(scene), {0.01f, 2, 0.02f}, {0.01f, 0, 0.02f});
+  const Rgb expected =
+      fine_rgb_of_wavelengths([&](float nm) { return std::exp(-2 * double{water->spectrum->at(nm)}); });
+  for (const char* integrator : kSpectralIntegrators)
+    expect_radiance(with_integrator(d, integrator), 2048, expected, 0.01, integrator);
+  const auto compiled = scene::compile(d.scene, d.camera, nullptr);
+  const auto decision = transport::model_for(*compiled).decisions.front();
+  EXPECT_EQ(decision.value + ": " + decision.reason, "spectral: the atmosphere has a spectrum");
+}
+
 // The attenuation colour of a solid with a surface and an index of 1.
 TEST(SpectralMedia, AttenuationOfSolidsIsMultiplicative) {
   const Material liquid = test::liquid(1, {0.9f, 0.5f, 0.3f});
@@ -153,6 +186,39 @@ TEST(SpectralMedia, InEquilibriumWithASkyOfTheirRadiance) {
     expect_radiance(with_integrator(d, integrator), 1024, expected, 0.02, integrator);
 }
 
+// Measured scattering without absorption in a uniform sky.
+TEST(SpectralMedia, WithMeasuredScatteringConserveEnergy) {
+  const std::string path = ::testing::TempDir() + "scattering.csv";
+  std::ofstream(path) << "400,4\n500,1\n600,2\n700,0.1\n";
+  MediumDescription m;
+  m.set_spectrum(Coefficient::scattering, *find_coefficient_spectrum(Coefficient::scattering, path));
+  for (const char* density : {"", "exponential"}) {
+    if (*density) m.density.field = make_density(density);
+    scene::Scene scene;
+    add(scene, test::sphere(1, 24, false), medium_boundary(m));
+    scene.environment.tint = Rgb(1);
+    for (const char* integrator : kSpectralIntegrators)
+      expect_radiance(with_integrator(small_view(scene, {0.1f, 0.2f, 3}, {0.1f, 0.2f, 0}), integrator), 512, Rgb(1),
+                      0.02, integrator);
+  }
+}
+
+// An opaque medium of 4000 K has the radiance of a black body of this temperature, with the luminance of its emission.
+TEST(SpectralMedia, EmitAsBlackBodies) {
+  MediumDescription m = medium(Rgb(0), Rgb(40));
+  m.emission = Rgb(2);
+  m.temperature = 4000;
+  const Rgb color = blackbody_color(4000);
+  for (const char* density : {"", "constant"}) {
+    if (*density) m.density.field = make_density(density);
+    scene::Scene scene;
+    add(scene, scene::box(Vec3(1)), medium_boundary(m));
+    const Document d = in_spectra(small_view(std::move(scene), {0.01f, 0.02f, 5}, {0.01f, 0.02f, 0}));
+    for (const char* integrator : kSpectralIntegrators)
+      expect_radiance(with_integrator(d, integrator), 2048, color * (2 / luminance(color)), 0.02, integrator);
+  }
+}
+
 // ---- Chromatic media.
 
 // A medium in a box above a floor, under a sky.
@@ -175,7 +241,7 @@ TEST(SpectralMedia, ScatterAtEachWavelengthAsAGreyMediumOfItsCoefficients) {
   MediumDescription gradient = homogeneous;
   gradient.density.field = make_density("exponential");
   for (const MediumDescription& m : {homogeneous, gradient}) {
-    const MediumSpectra spectra(m.scattering, m.absorption);
+    const MediumSpectra spectra = m.spectra(Rgb(0));
     const Document d = medium_above_floor(m);
     const auto compiled = scene::compile(d.scene, d.camera, nullptr);
     const auto measured = render::measure_spectrum(d, compiled, 512);

@@ -160,9 +160,9 @@ TEST(Spectral, IsChosenOnlyForDispersion) {
     return model.decisions.front().value + ": " + model.decisions.front().reason;
   };
   const Document glass = test::bubble();
-  EXPECT_EQ(decision(glass), "RGB: no material disperses light and no emitter has a spectrum");
+  EXPECT_EQ(decision(glass), "RGB: no material disperses light, and no emitter or medium has a spectrum");
   EXPECT_EQ(decision(spectral(glass)),
-            "spectral: no material disperses light and no emitter has a spectrum; spectral selected");
+            "spectral: no material disperses light, and no emitter or medium has a spectrum; spectral selected");
   auto scene = std::make_shared<scene::Scene>(*glass.scene);
   for (Material& m : scene->materials)
     if (m.is_solid()) m.dispersion = 0.5f, m.name = "flint";

@@ -8,7 +8,7 @@
 namespace etendue {
 namespace {
 
-constexpr int kSteps = 200000;  // of the random number; the estimates are quadratures without noise
+constexpr int kQuadraturePoints = 200000;  // of the random number; the estimates are quadratures without noise
 
 HomogeneousMedium medium(const Rgb& scattering, const Rgb& absorption) {
   return HomogeneousMedium(MediumDescription{scattering, absorption, {}});
@@ -20,13 +20,13 @@ struct Estimate {
 
 Estimate estimate(const Rgb& throughput, const HomogeneousMedium& m, float length) {
   Estimate e;
-  for (int i = 0; i < kSteps; ++i) {
-    FreeFlight flight(throughput, (static_cast<float>(i) + 0.5f) / kSteps);
+  for (int i = 0; i < kQuadraturePoints; ++i) {
+    FreeFlight flight(throughput, (static_cast<float>(i) + 0.5f) / kQuadraturePoints);
     const auto distance = flight.pass(m, length);
     const Rgb weight = flight.weight();
     for (int c = 0; c < 3; ++c) {
       EXPECT_TRUE(std::isfinite(weight[c]));
-      const double value = static_cast<double>(throughput[c] * weight[c]) / kSteps;
+      const double value = static_cast<double>(throughput[c] * weight[c]) / kQuadraturePoints;
       (distance ? e.collided : e.passed)[c] += value;
       if (distance) e.moment[c] += value * static_cast<double>(*distance);
     }
@@ -55,15 +55,15 @@ TEST(FreeFlight, Densities) {
   const Rgb throughput(1, 0.2f, 0.05f);
   const float length = 0.8f;
   int collisions = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    FreeFlight flight(throughput, (static_cast<float>(i) + 0.5f) / kSteps);
+  for (int i = 0; i < kQuadraturePoints; ++i) {
+    FreeFlight flight(throughput, (static_cast<float>(i) + 0.5f) / kQuadraturePoints);
     if (flight.pass(m, length)) ++collisions;
   }
   double integral = 0;
   for (int i = 0; i < 1000; ++i)
     integral += static_cast<double>(FreeFlight(throughput, 0).collision_density(m, (i + 0.5f) * length / 1000)) *
                 static_cast<double>(length) / 1000;
-  EXPECT_NEAR(static_cast<double>(collisions) / kSteps, integral, 1e-4);
+  EXPECT_NEAR(static_cast<double>(collisions) / kQuadraturePoints, integral, 1e-4);
 
   FreeFlight flight = FreeFlight::without_collision(throughput);
   EXPECT_FALSE(flight.pass(m, length));
@@ -135,12 +135,12 @@ TEST(FreeFlight, WeightsAreBounded) {
 TEST(FreeFlight, SeveralMediaInSequence) {
   const HomogeneousMedium a = medium(Rgb(1, 2, 0.5f), Rgb(0)), b = medium(Rgb(0.3f, 0.1f, 4), Rgb(0.2f));
   double passed[3] = {};
-  for (int i = 0; i < kSteps; ++i) {
-    FreeFlight flight(Rgb(1), (static_cast<float>(i) + 0.5f) / kSteps);
+  for (int i = 0; i < kQuadraturePoints; ++i) {
+    FreeFlight flight(Rgb(1), (static_cast<float>(i) + 0.5f) / kQuadraturePoints);
     if (flight.pass(a, 0.4f)) continue;
     flight.attenuate(Rgb(0.5f));
     if (flight.pass(b, 0.7f)) continue;
-    for (int c = 0; c < 3; ++c) passed[c] += static_cast<double>(flight.weight()[c]) / kSteps;
+    for (int c = 0; c < 3; ++c) passed[c] += static_cast<double>(flight.weight()[c]) / kQuadraturePoints;
   }
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(

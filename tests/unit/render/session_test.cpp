@@ -48,6 +48,18 @@ TEST(Session, LargerModelsGiveTheSameImage) {
     }
 }
 
+TEST(Session, LargerSpectralModelsGiveTheSameImage) {
+  const auto spectral = *render::with_text(test::cornell(48), "render.color", "spectral");
+  for (const char* integrator : {"path", "path-pure"}) {
+    const auto document = *render::with_text(spectral, "render.integrator", integrator);
+    const auto small = test::rendered(document, 16);
+    for (const char* flag : {"surfaces", "media", "classes"}) {
+      const auto forced = *render::with_text(document, std::string("model.") + flag, "on");
+      EXPECT_TRUE(same_bits(small, test::rendered(forced, 16))) << integrator << ' ' << flag;
+    }
+  }
+}
+
 TEST(Checkpoint, ResumesToTheSameBits) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-test.checkpoint";
   auto d = test::cornell(64);

@@ -31,6 +31,13 @@ void put_spectrum(Json& to, const char* member, const EmissionSpectrumRef& spect
   to[member] = names_spectrum_file(spectrum.name) ? uri_of(spectrum.name, folder) : spectrum.name;
 }
 
+// The spectrum of a coefficient of a medium, likewise.
+void put_spectrum(Json& to, const char* member, const CoefficientSpectrumRef& spectrum,
+                  const std::filesystem::path& folder) {
+  if (!spectrum) return;
+  to[member] = names_coefficient_file(spectrum.name) ? uri_of(spectrum.name, folder) : spectrum.name;
+}
+
 Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   const Environment& e = out.scene.environment;
   Json to = Json::object();
@@ -78,6 +85,8 @@ Json medium_of(const MediumDescription& medium, const std::filesystem::path& fol
   export_volume(medium, folder, to);
   if (!is_black(medium.scattering)) to["scattering"] = vector(medium.scattering);
   if (!is_black(medium.absorption)) to["absorption"] = vector(medium.absorption);
+  put_spectrum(to, "scatteringSpectrum", medium.scattering_spectrum, folder);
+  put_spectrum(to, "absorptionSpectrum", medium.absorption_spectrum, folder);
   if (medium.phase == PhaseFunctionRef()) return to;
   Json parameters = Json::object();
   for (const ParameterInfo& p : medium.phase->parameters()) parameters[p.name] = current_value(p);

@@ -45,8 +45,10 @@ class MediumReader {
   MediumReader(const tinygltf::Value& from, std::string where, std::vector<std::string>& warnings)
       : from_(from), where_(std::move(where)), warnings_(warnings) {}
 
-  // Emission and density; `folder` is the base of relative paths.
+  // Spectra, emission and density; `folder` is the base of relative paths.
   void read_volume(const std::filesystem::path& folder, MediumDescription& medium) {
+    read_spectrum("scatteringSpectrum", Coefficient::scattering, folder, medium);
+    read_spectrum("absorptionSpectrum", Coefficient::absorption, folder, medium);
     medium.emission = coefficient("emission");
     medium.temperature = number("temperature", 0, 0, 40000);
     if (from_.Has("density"))
@@ -85,6 +87,21 @@ class MediumReader {
     if (valid(c.r) && valid(c.g) && valid(c.b)) return c;
     warn(std::string(member) + ": has to be three numbers from 0 to 1e6; 0 is used");
     return Rgb(0);
+  }
+
+  // The spectrum of a coefficient replaces the RGB coefficient.
+  void read_spectrum(const char* member, Coefficient coefficient, const std::filesystem::path& folder,
+                     MediumDescription& medium) {
+    if (!from_.Has(member)) return;
+    std::string name = from_.Get(member).IsString() ? from_.Get(member).Get<std::string>() : "";
+    if (names_coefficient_file(name)) {
+      const auto file = file_of_uri(folder, name);
+      if (!file) return warn(std::string(member) + ": '" + shown_uri(name) + "' is not a local file; it is ignored");
+      name = file->lexically_normal().string();
+    }
+    const auto spectrum = find_coefficient_spectrum(coefficient, name);
+    if (!spectrum) return warn(std::string(member) + ": " + spectrum.error().message + "; it is ignored");
+    medium.set_spectrum(coefficient, *spectrum);
   }
 
   PhaseFunctionRef phase_function() {

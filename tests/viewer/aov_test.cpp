@@ -1,0 +1,48 @@
+// AOVs in the viewport: the terms of the equation of transfer.
+#include <cmath>
+
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+class AovInViewport : public Viewer {};
+
+// The image is surface - absorption - out-scattering + emission + in-scattering. Each term has its own few samples, so
+// the means over the image are compared.
+TEST_F(AovInViewport, TermsOfMediaSumToTheImage) {
+  json steps = joined(small(16), json::array({file_step("image", path("image.exr"))}));
+  const std::string terms[] = {"medium-surface", "medium-absorption", "medium-out-scattering", "medium-emission",
+                               "medium-in-scattering"};
+  for (const std::string& term : terms) {
+    steps.push_back(set("view.aov", term));
+    steps.push_back({{"do", "wait"}, {"for", "aov"}});
+    steps.push_back(file_step("state", path(term + ".json")));
+  }
+  ASSERT_EQ(run(steps, "fog"), 0);
+  const auto mean = [&](const std::string& term) {
+    const json aov = state(term + ".json")["aov"];
+    EXPECT_EQ(aov["name"], term);
+    return aov["mean_luminance"].get<double>();
+  };
+  const double sum = mean(terms[0]) - mean(terms[1]) - mean(terms[2]) + mean(terms[3]) + mean(terms[4]);
+  const auto image = saved_image("image.exr");
+  const auto& pixels = image.layers.at(0).pixels;
+  double expected = 0;
+  for (size_t i = 0; i + 2 < pixels.size(); i += 3)
+    expected += 0.2126 * double{pixels[i]} + 0.7152 * double{pixels[i + 1]} + 0.0722 * double{pixels[i + 2]};
+  expected /= static_cast<double>(pixels.size()) / 3;
+  EXPECT_NEAR(sum, expected, 0.2 * expected);
+  EXPECT_GT(mean(terms[4]), 0.05 * expected);
+  EXPECT_GT(mean(terms[2]), 0.02 * expected);
+}
+
+// A scene without media has no such terms.
+TEST_F(AovInViewport, TermsOfMediaAreForScenesWithMedia) {
+  EXPECT_EQ(run(joined(small(1), json::array({set("view.aov", "medium-surface")})), "cornell"), 1);
+  EXPECT_EQ(
+      run(joined(small(1), json::array({set("view.aov", "albedo"), {{"do", "wait"}, {"for", "aov"}}})), "cornell"), 0);
+}
+
+}  // namespace
+}  // namespace etendue
