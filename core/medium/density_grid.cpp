@@ -59,14 +59,24 @@ void DensityGrid::find_cells() {
   for (int cz = 0; cz < cell_counts_[2]; ++cz)
     for (int cy = 0; cy < cell_counts_[1]; ++cy)
       for (int cx = 0; cx < cell_counts_[0]; ++cx) {
-        Cell cell{kInfinity, 0};
-        for (int z = cz * step; z <= std::min((cz + 1) * step, n[2] - 1); ++z)
-          for (int y = cy * step; y <= std::min((cy + 1) * step, n[1] - 1); ++y)
-            for (int x = cx * step; x <= std::min((cx + 1) * step, n[0] - 1); ++x) {
+        const int end[] = {std::min((cx + 1) * step, n[0] - 1), std::min((cy + 1) * step, n[1] - 1),
+                           std::min((cz + 1) * step, n[2] - 1)};
+        Cell cell{kInfinity, 0, 0};
+        // Nodes on a side of the cell have half the weight in its mean.
+        const auto weight = [&](int at, int first, int last) { return at == first || at == last ? 0.5f : 1.0f; };
+        float sum = 0, weights = 0;
+        for (int z = cz * step; z <= end[2]; ++z)
+          for (int y = cy * step; y <= end[1]; ++y)
+            for (int x = cx * step; x <= end[0]; ++x) {
               const float value = values_.density[index(n, x, y, z)];
+              const float w =
+                  weight(x, cx * step, end[0]) * weight(y, cy * step, end[1]) * weight(z, cz * step, end[2]);
               cell.lowest = std::min(cell.lowest, value);
               cell.highest = std::max(cell.highest, value);
+              sum += w * value;
+              weights += w;
             }
+        cell.mean = sum / weights;
         cells_.push_back(cell);
       }
 }

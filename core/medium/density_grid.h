@@ -41,9 +41,9 @@ class DensityGrid {
   // In [0, 1]; in proportion to the density if the grid has no temperatures.
   float temperature(const Vec3& p) const;
 
-  // The bounds of the density in a coarse cell.
+  // The bounds of the density in a coarse cell, and its mean.
   struct Cell {
-    float lowest = 0, highest = 0;
+    float lowest = 0, highest = 0, mean = 0;
   };
 
   // Coarse cells along each axis, and per unit of length. The last cell of an axis may have fewer voxels.

@@ -51,29 +51,48 @@ std::optional<float> BasicFreeFlight<Color>::pass(const Coefficients& medium, fl
   if (remaining_ >= depth[channel_]) {
     remaining_ -= depth[channel_];
     depth_ += depth;
+    survival_depth_ += depth;
     return {};
   }
   const float distance = std::min(remaining_ / medium.extinction[channel_], length);
-  depth_ += medium.optical_depth(distance);
+  const Color depth_of_collision = medium.optical_depth(distance);
+  depth_ += depth_of_collision;
+  survival_depth_ += depth_of_collision;
   extinction_ = medium.extinction;
   scattering_ = medium.scattering;
   return distance;
 }
 
 template <class Color>
+void BasicFreeFlight<Color>::pass_without_collision(const HeterogeneousMedium& medium,
+                                                    const HeterogeneousCoefficients<Color>& coefficients,
+                                                    const RaySpan& span) {
+  const double integral =
+      medium.grid->integral(medium.in_grid(span)) * static_cast<double>(HeterogeneousMedium::metres(span));
+  depth_ += coefficients.extinction * static_cast<float>(integral);
+  survival_depth_ += approximate_depth(medium, coefficients, span);
+}
+
+template <class Color>
 std::optional<float> BasicFreeFlight<Color>::pass(const HeterogeneousMedium& medium,
                                                   const HeterogeneousCoefficients<Color>& coefficients,
                                                   const RaySpan& span, RandomStream& random) {
+  if (remaining_ == kInfinity) {
+    pass_without_collision(medium, coefficients, span);
+    return {};
+  }
   const GridRay ray = medium.in_grid(span);
   const float metres = HeterogeneousMedium::metres(span), chosen = coefficients.extinction[channel_];
+  float mean_integral = 0;
   std::optional<float> collision;
   medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
-    const float per_parameter = cell.highest * metres;
+    const float per_parameter = cell.highest * metres, start = from;
     for (;;) {
       const float depth = chosen * per_parameter * (to - from);
       if (!(remaining_ < depth)) {
         remaining_ -= depth;
         depth_ += coefficients.extinction * (per_parameter * (to - from));
+        mean_integral += cell.mean * (to - start);
         return true;
       }
       const float step = remaining_ / (chosen * per_parameter);
@@ -88,12 +107,14 @@ std::optional<float> BasicFreeFlight<Color>::pass(const HeterogeneousMedium& med
         scattering_ = coefficients.scattering;
         density_ = density;
         collision = from;
+        mean_integral += cell.mean * (from - start);
         return false;
       }
       depth_ -= coefficients.log_extinction - Color(coefficients.log_extinction[channel_]);
       remaining_ = random.next_exponential();
     }
   });
+  survival_depth_ += approximate_depth(coefficients, mean_integral * metres);
   return collision;
 }
 
@@ -137,7 +158,7 @@ Color BasicFreeFlight<Color>::weight(const Color& collision_density, const Color
 template <class Color>
 float BasicFreeFlight<Color>::survival() const {
   float sum = 0;
-  for (int c = 0; c < kChannels<Color>; ++c) sum += std::exp(-depth_[c]);
+  for (int c = 0; c < kChannels<Color>; ++c) sum += std::exp(-survival_depth_[c]);
   return sum * (1.0f / kChannels<Color>);
 }
 

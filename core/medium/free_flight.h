@@ -65,7 +65,7 @@ class BasicFreeFlight {
   Color weight() const;
   // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this
   // flight, it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques
-  // use it.
+  // use it. In heterogeneous media it is an approximation (approximate_depth).
   float survival() const;
   // The relative densities of the path up to here in the channels, for a path that keeps its channel.
   Color densities() const;
@@ -81,15 +81,19 @@ class BasicFreeFlight {
   const Color& emitted() const { return emitted_; }
 
  private:
+  // Passes through all of a heterogeneous medium without a collision.
+  void pass_without_collision(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                              const RaySpan& span);
   Color weight(const Color& collision_density, const Color& value) const;
   // The smallest optical depth of a channel that has a probability.
   float least_depth() const;
 
   Color probability_{0};  // of the channels
   int channel_ = 0;
-  float remaining_ = 0;  // optical depth to the collision, in the chosen channel
-  Color depth_{0};       // optical depth so far
-  Color absorption_{1};  // transmittance of media without scattering
+  float remaining_ = 0;      // optical depth to the collision, in the chosen channel
+  Color depth_{0};           // optical depth so far
+  Color survival_depth_{0};  // the optical depth of `survival`
+  Color absorption_{1};      // transmittance of media without scattering
   Color emitted_{0};
   // At the collision: extinction and scattering coefficients of the medium, 1/m; 1 without a collision.
   // In heterogeneous media, those at density 1.

@@ -67,6 +67,28 @@ struct HeterogeneousMedium : HeterogeneousCoefficients<Rgb> {
                           float density) const;
 };
 
+// The optical depth of a span by the mean densities of the coarse cells, for MIS weights. It is a function of the span
+// alone, the same in both directions up to rounding. It is at most kLargestApproximateDepth, so that its exponential is
+// not zero where the transmittance is not.
+inline constexpr float kLargestApproximateDepth = 64;
+template <class Color>
+Color approximate_depth(const HeterogeneousCoefficients<Color>& coefficients, float density_integral) {
+  Color depth;
+  for (int c = 0; c < kChannels<Color>; ++c)
+    depth[c] = std::min(coefficients.extinction[c] * density_integral, kLargestApproximateDepth);
+  return depth;
+}
+template <class Color>
+Color approximate_depth(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,
+                        const RaySpan& span) {
+  float integral = 0;
+  medium.grid->for_each_cell(medium.in_grid(span), [&](float from, float to, const DensityGrid::Cell& cell) {
+    integral += cell.mean * (to - from);
+    return true;
+  });
+  return approximate_depth(coefficients, integral * HeterogeneousMedium::metres(span));
+}
+
 // An estimate of the transmittance of a span without bias, by a given estimator.   [Lang, eq. 4.59]
 template <class Color>
 Color estimated_transmittance(const HeterogeneousMedium& medium, const HeterogeneousCoefficients<Color>& coefficients,

@@ -73,6 +73,7 @@ MediumEmitters::MediumEmitters(std::span<const EmitterBox> boxes) {
   for (const EmitterBox& box : boxes) {
     const float power = std::accumulate(box.power.begin(), box.power.end(), 0.0f);
     if (!(power > 0) || !std::isfinite(power) || !std::isfinite(volume_of_box(box.world_to_box))) continue;
+    power_ += 4 * kPi * power;
     boxes_.push_back({box.world_to_box,
                       glm::inverse(box.world_to_box),
                       box.cells,
@@ -92,7 +93,7 @@ MediumEmitters::MediumEmitters(std::span<const EmitterBox> boxes) {
   }
 }
 
-MediumEmitters::Sample MediumEmitters::sample(const Vec3& from, float choice, const Vec3& position) const {
+Vec3 MediumEmitters::point_in_cell(float choice, const Vec3& position) const {
   const uint32_t number = cells_.sample(choice).index;
   const Box& box = *(std::ranges::upper_bound(boxes_, number, {}, &Box::first_cell) - 1);
   const auto cell = position_of(number - box.first_cell, box.cells);
@@ -101,7 +102,28 @@ MediumEmitters::Sample MediumEmitters::sample(const Vec3& from, float choice, co
     const CellExtent extent = extent_of(cell[static_cast<size_t>(axis)], box.cells_per_unit[axis]);
     point[axis] = extent.from + (extent.to - extent.from) * position[axis];
   }
-  const Vec3 to_point = Vec3(box.box_to_world * Vec4(point, 1)) - from;
+  return Vec3(box.box_to_world * Vec4(point, 1));
+}
+
+MediumEmitters::Point MediumEmitters::sample_point(float choice, const Vec3& position) const {
+  Point point{point_in_cell(choice, position), 0};
+  for (const Box& box : boxes_) {
+    const Vec3 at = Vec3(box.world_to_box * Vec4(point.position, 1)) * box.cells_per_unit;
+    size_t cell = 0;
+    bool is_inside = true;
+    for (int axis = 2; axis >= 0; --axis) {
+      const int count = box.cells[static_cast<size_t>(axis)];
+      is_inside = is_inside && at[axis] >= 0 && at[axis] <= box.cells_per_unit[axis];
+      const auto number = std::clamp(at[axis], 0.0f, static_cast<float>(count - 1));
+      cell = cell * static_cast<size_t>(count) + static_cast<size_t>(number);
+    }
+    if (is_inside) point.pdf += box.density[cell];
+  }
+  return point;
+}
+
+MediumEmitters::Sample MediumEmitters::sample(const Vec3& from, float choice, const Vec3& position) const {
+  const Vec3 to_point = point_in_cell(choice, position) - from;
   const float squared = glm::dot(to_point, to_point);
   if (!(squared > 0)) return {};
   const Vec3 direction = to_point / std::sqrt(squared);

@@ -1,6 +1,6 @@
-// Sampling of directions towards media that emit light.
+// Sampling of points in media that emit light, where light paths start, and of directions towards these media.
 //
-// A point is sampled in a cell of an emitting medium, which is chosen by its emitted power; it gives a direction. The
+// A point is sampled in a cell of an emitting medium, which is chosen by its emitted power. It gives a direction. The
 // estimate then integrates the emission along the whole ray [Simon et al. 2017]. The density of points p is constant in
 // each cell, so the density of a direction w at a receiver x is known in closed form:
 //
@@ -36,12 +36,21 @@ class MediumEmitters {
   explicit MediumEmitters(std::span<const EmitterBox> boxes);
 
   bool empty() const { return boxes_.empty(); }
+  // The emitted power as the mean over the colour channels, W. Bounding boxes count as filled.
+  float power() const { return power_; }
+
+  struct Point {
+    Vec3 position{0};
+    float pdf = 0;  // 1/m^3, of all boxes that contain the point
+  };
+  // `choice` selects a cell, `position` a point in it; all numbers are uniform in [0, 1).
+  Point sample_point(float choice, const Vec3& position) const;
 
   struct Sample {
     Vec3 direction{0, 0, 1};
     float pdf = 0;  // per solid angle; 0 if there is no direction
   };
-  // `choice` selects a cell, `position` a point in it; all numbers are uniform in [0, 1).
+  // The direction to a point that is sampled from the same numbers.
   Sample sample(const Vec3& from, float choice, const Vec3& position) const;
   // The density of a unit direction.
   float pdf(const Vec3& from, const Vec3& direction) const;
@@ -55,8 +64,11 @@ class MediumEmitters {
     uint32_t first_cell;         // its number among the cells of all boxes
   };
 
+  Vec3 point_in_cell(float choice, const Vec3& position) const;
+
   std::vector<Box> boxes_;
   AliasTable cells_;  // of all boxes
+  float power_ = 0;
 };
 
 }  // namespace etendue

@@ -212,11 +212,12 @@ void Solids::set_media(const std::vector<InstanceData>& instances, const std::ve
 }
 
 void Solids::find_emitters() {
-  std::vector<EmitterBox> boxes;
+  std::vector<EmitterBox> boxes, boxes_with_surface;
   for (const Solid& solid : solids_) {
-    if (solid.has_surface || !solid.medium.emits()) continue;
-    boxes.push_back(solid.heterogeneous ? emitter_box(*solid.heterogeneous)
-                                        : emitter_box(solid.medium, solid.bounds.min, solid.bounds.max));
+    if (!solid.medium.emits()) continue;
+    (solid.has_surface ? boxes_with_surface : boxes)
+        .push_back(solid.heterogeneous ? emitter_box(*solid.heterogeneous)
+                                       : emitter_box(solid.medium, solid.bounds.min, solid.bounds.max));
   }
   if (atmosphere_ && atmosphere_->medium.emits() && std::isfinite(atmosphere_->radius)) {
     const Vec3 half(atmosphere_->radius);
@@ -225,6 +226,19 @@ void Solids::find_emitters() {
                         : emitter_box(atmosphere_->medium, atmosphere_->centre - half, atmosphere_->centre + half));
   }
   emitters_ = MediumEmitters(boxes);
+  boxes.insert(boxes.end(), boxes_with_surface.begin(), boxes_with_surface.end());
+  emission_points_ = MediumEmitters(boxes);
+}
+
+Rgb Solids::emission_at(const MediumStack& stack, const Vec3& position) const {
+  const auto emission_of = [&](const HomogeneousMedium& medium, const HeterogeneousMedium* heterogeneous) {
+    if (!heterogeneous) return medium.emission;
+    const Vec3 p(heterogeneous->world_to_grid * Vec4(position, 1));
+    return heterogeneous->emitted(p, heterogeneous->grid->density(p));
+  };
+  if (const Solid* solid = find(stack.top())) return emission_of(solid->medium, solid->heterogeneous.get());
+  if (!atmosphere_ || !(glm::distance(position, atmosphere_->centre) < atmosphere_->radius)) return Rgb(0);
+  return emission_of(atmosphere_->medium, atmosphere_->heterogeneous.get());
 }
 
 // Sweeps along the x axis.

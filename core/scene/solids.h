@@ -37,8 +37,8 @@ struct Solid {
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;  // metres
   bool absorbs = false;
-  Rgb absorption{0};         // in addition to the attenuation colour, 1/m
-  HomogeneousMedium medium;  // if it scatters or emits: with the absorption of both
+  Rgb absorption{0};                       // in addition to the attenuation colour, 1/m
+  HomogeneousMedium medium;                // if it scatters or emits: with the absorption of both
   AbsorptionSpectrum absorption_spectrum;  // of both
   // The medium if its density varies, in place of the members above; else null.
   std::shared_ptr<const HeterogeneousMedium> heterogeneous = nullptr;
@@ -112,6 +112,10 @@ class Solids {
   bool any_medium_emits() const { return any_medium_emits_; }
   // Directions towards media that emit light. Solids with a surface are left out, which light samples do not pass.
   const MediumEmitters& emitters() const { return emitters_; }
+  // Points in all media that emit light and are bounded.
+  const MediumEmitters& emission_points() const { return emission_points_; }
+  // The radiance per metre that the medium in these solids, or the atmosphere, emits at a point.
+  Rgb emission_at(const MediumStack& stack, const Vec3& position) const;
   // Why a medium cannot be rendered, with a remedy; empty if all can.
   const std::string& medium_error() const { return medium_error_; }
 
@@ -143,7 +147,7 @@ class Solids {
   bool any_has_alpha_ = false;
   bool any_without_surface_ = false;
   bool scatters_ = false, any_heterogeneous_ = false, any_medium_emits_ = false;
-  MediumEmitters emitters_;
+  MediumEmitters emitters_, emission_points_;
   std::string medium_error_;
   float offset_ = 0;  // the largest offset of solids that may overlap
 };

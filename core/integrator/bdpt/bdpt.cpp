@@ -50,6 +50,7 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
         .scattering_media = true,
+        .heterogeneous_media = true,
         .emitting_media = true,
         .ignores_portals = true,
     };

@@ -10,6 +10,12 @@
 // point of the unit square from which the lens point is made. The integral of f is the sum over all pixels of the
 // image. (A directly visible infinite light is measured per image point instead: f = L_e.)
 //
+// In media, f contains the transmittance of every edge. A vertex in a volume has a cosine of 1, F_i is the phase function
+// times the scattering coefficient, and the measure is that of volumes. A free flight along an edge ends there with the
+// density sigma_t T per metre, and passes the edge with the probability T; both are means over the colour channels, of
+// which a flight selects one with the same probability. Densities contain them with exact transmittances, also in
+// heterogeneous media.
+//
 // Specular vertices: F_i is the coefficient of the delta, and densities are probabilities relative to the delta of a
 // subpath from the camera. The delta of a light subpath differs by the ratio of projected solid angles,
 // `projected_ratio`.
@@ -47,7 +53,16 @@ struct PathVertexData {
     scene::MediumInterface interface;
     Color transmittance{1};
   };
-  [[no_unique_address]] std::conditional_t<M::kMedia, Media, transport::Vacuum> media;
+  // In models with scattering media also the probabilities that flights in each channel pass the edge, and the
+  // extinction coefficient at the vertex, 1/m; 1 on surfaces.
+  struct ScatteringMedia : Media {
+    Color survival{1};
+    Color extinction{1};
+    bool in_volume = false;
+  };
+  [[no_unique_address]] std::conditional_t<M::kScattering, ScatteringMedia,
+                                           std::conditional_t<M::kMedia, Media, transport::Vacuum>>
+      media;
 };
 
 template <class M>
@@ -112,18 +127,30 @@ class LightPath {
 
   // ---- Densities divided by their factors of f.
 
+  // The largest component of the transmittance of edge i: the factor of f that belongs to the edge. 1 in models without
+  // scattering media, where `brightness` contains it.
+  double edge_value([[maybe_unused]] int i) const {
+    if constexpr (M::kScattering)
+      return max_component((*this)[i].media.transmittance);
+    else
+      return 1;
+  }
+  // Free flights along edge i that end at its end towards the camera, or towards the light.
+  double flight_to_camera(int i) const { return i + 1 < edges() ? flight(i, i + 1) : 1; }
+  double flight_to_light(int i) const { return flight(i, i); }
+
   // The step from vertex i of a light subpath to the next vertex; i = -1 is the choice of x_0.
   double step_from_light(int i) const {
     if (i < 0) return light.first;
-    if (i == 0) return light.second / cosine_to_camera(0);
+    if (i == 0) return light.second / cosine_to_camera(0) * flight_to_camera(0);
     const Vertex& v = (*this)[i];
-    return v.to_camera / (v.value * cosine_to_camera(i)) * cosine_to_light(i);
+    return v.to_camera / (v.value * cosine_to_camera(i)) * cosine_to_light(i) * flight_to_camera(i);
   }
   // The step from vertex i of a camera subpath; `area` is that of the image in pixels.
   double step_from_camera(int i, double area) const {
     if (i > edges()) return 1;
-    if (i == edges()) return 1 / area;
-    return double{(*this)[i].to_light} / (*this)[i].value;
+    if (i == edges()) return flight_to_light(i - 1) / area;
+    return double{(*this)[i].to_light} / (*this)[i].value * flight_to_light(i - 1);
   }
   // The inverse of the factors of f of a connection along edge i, zero if it is impossible; i = -1: the camera subpath
   // hits the light.
@@ -133,7 +160,7 @@ class LightPath {
     if ((i > 0 && (*this)[i].delta) || (i < last && (*this)[i + 1].delta)) return 0;
     double weight = cosine_to_camera(i);
     if (i > 0) weight *= (*this)[i].value / cosine_to_light(i);
-    weight *= i == last ? double{importance} : inverse_square(i) * (*this)[i + 1].value;
+    weight *= edge_value(i) * (i == last ? double{importance} : inverse_square(i) * (*this)[i + 1].value);
     return weight > 0 ? 1 / weight : 0;
   }
 
@@ -154,7 +181,18 @@ class LightPath {
   }
 
  private:
-  double cosine(int i, const Vec3& w) const { return std::abs(double{glm::dot((*this)[i].point.ng, w)}); }
+  double cosine(int i, const Vec3& w) const {
+    if constexpr (M::kScattering)
+      if ((*this)[i].media.in_volume) return 1;
+    return std::abs(double{glm::dot((*this)[i].point.ng, w)});
+  }
+  // A free flight along edge i that ends at vertex `end`, divided by the value of the edge.
+  double flight([[maybe_unused]] int i, [[maybe_unused]] int end) const {
+    if constexpr (M::kScattering)
+      return double{average((*this)[i].media.survival * (*this)[end].media.extinction)} / edge_value(i);
+    else
+      return 1;
+  }
 
   std::vector<Vertex> vertices_;
 };

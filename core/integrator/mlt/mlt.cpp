@@ -9,7 +9,9 @@
 // start at some (markov_chain/markov_chain_renderer.h). Mutations: bidirectional, lens, caustic and multi-chain
 // perturbations, lens subpath mutations.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+// In scattering media, vertices in volumes are mutated as those on surfaces; distances are sampled by free flights.
+//
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L, E(D|G|V).*L and E.*(D|G|V)(D|G|V).*L
 //   Bias          consistent
 //   Cost          about 3 rays per mutation, one mutation per pixel and sample; a path for each chain
 //   Limitations   Inefficient for simple scenes, because successive samples are correlated. Paths at which no chain
@@ -34,8 +36,8 @@ class Mlt final : public IntegratorBase<Mlt> {
             "Markov chains over light paths with bidirectional mutations and lens, caustic and multi-chain "
             "perturbations",
         .group = Group::markov_chain,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V)L|E(D|G|V).*L|E.*(D|G|V)(D|G|V).*L",
         .bias = Bias::consistent,
         .cost = "1 mutation per pixel and sample, about 3 rays; a path for each chain and one image besides the film",
         .limitations =
@@ -44,6 +46,8 @@ class Mlt final : public IntegratorBase<Mlt> {
             "found.",
         .accumulation = Accumulation::splats_only,
         .shortcut = '7',
+        .scattering_media = true,
+        .heterogeneous_media = true,
         .ignores_portals = true,
     };
   }
@@ -220,7 +224,7 @@ class MutationKernel {
 }  // namespace
 
 std::unique_ptr<RenderState> Mlt::begin(const RenderContext& context, const RenderState*) const {
-  return transport::with_model(*context.model, [&]<class M>(M) -> std::unique_ptr<RenderState> {
+  return transport::with_scattering_model(*context.model, [&]<class M>(M) -> std::unique_ptr<RenderState> {
     return std::make_unique<MarkovChainRenderState<MutationKernel<M>>>(context, MutationKernel<M>(*this, context));
   });
 }

@@ -6,11 +6,14 @@
 //
 // Shading normals that face away from the incoming ray are corrected (CompiledScene); a vertex keeps the normal with
 // which it was traced.
+//
+// In scattering media, edges end at collisions or on surfaces, by free flights (transport::trace_flight).
 #pragma once
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"
+#include "integrator/mlt/volume_scattering.h"
 #include "integrator/shared/camera_paths.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
@@ -67,6 +70,7 @@ class PathSpace {
     Vertex& x = path[0];
     x.delta = false;
     if constexpr (M::kMedia) x.media.interface.clear({});
+    leave_volume(x);
     if (e.kind == LightKind::triangle) {
       scene_->locate(e, x.hit, x.traced_from);
       build_surface(x, path.time);
@@ -185,7 +189,9 @@ class PathSpace {
       length = view->distance;
     }
     const uint32_t seed = random.bits();
-    if constexpr (M::kMedia) {
+    if constexpr (M::kScattering) {
+      return pass_media(i, ray, length, seed, path);
+    } else if constexpr (M::kMedia) {
       return is_transparent(i, ray, length, seed, path);
     } else {
       ++rays_;
@@ -195,10 +201,25 @@ class PathSpace {
 
   // ---- Evaluation.
 
+  // The direction of a specular vertex in the other direction than `wo`; false if there is none.
+  static bool specular_direction(const Vertex& x, const Vec3& wo, TransportMode mode,
+                                 DeltaDirection<Color>& direction) {
+    if constexpr (M::kScattering)
+      return !x.media.in_volume && x.bsdf.surface().delta_direction(wo, x.transmitted, mode, direction);
+    else
+      return x.bsdf.delta_direction(wo, x.transmitted, mode, direction);
+  }
+
   // Computes all data of a path that follows from its ends, edges and hits.
   bool rebuild(Path& path) {
-    for (int i = 0; i < path.edges(); ++i)
+    for (int i = 0; i < path.edges(); ++i) {
+      if constexpr (M::kScattering)
+        if (path[i].media.in_volume) {
+          build_collision(path[i], path[i].point.position);
+          continue;
+        }
       if (path.is_surface(i)) build_surface(path[i], path.time);
+    }
     return evaluate(0, path.edges(), path);
   }
 
@@ -221,20 +242,35 @@ class PathSpace {
     return true;
   }
 
-  // Finds the surface that a ray hits if it starts in this medium state. In models with media,
-  // `store_transmittance` receives the transmittance of the segment.
-  template <class StoreTransmittance>
+  // Finds the surface that a ray hits if it starts in this medium state, or the collision before it. In models with
+  // media, `store_segment` receives the segment.
+  template <class StoreSegment>
   bool trace(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
-             StoreTransmittance&& store_transmittance) {
+             StoreSegment&& store_segment) {
     ++rays_;
     Hit hit;
-    if constexpr (M::kMedia) {
+    leave_volume(x);
+    if constexpr (M::kScattering) {
+      transport::BasicFlightSegment<Rgb> segment;
+      const uint32_t seed = random.bits();
+      transport::trace_flight(*scene_, ray, seed, time, medium, random.next(), segment);
+      rays_ += segment.rays - 1;
+      hit = segment.hit;
+      x.media.interface = segment.interface;
+      store_segment(segment);
+      if (segment.collision.phase) {
+        x.traced_from = -ray.direction;
+        build_collision(x, segment.collision.position);
+        x.delta = false;
+        return true;
+      }
+    } else if constexpr (M::kMedia) {
       transport::MediumSegment segment;
       transport::trace_segment(*scene_, ray, ray.tfar, random.bits(), time, medium, segment);
       rays_ += segment.rays;
       hit = segment.hit;
       x.media.interface = segment.interface;
-      store_transmittance(segment.transmittance);
+      store_segment(segment);
     } else {
       hit = scene_->intersect(ray, random.bits(), time);
     }
@@ -270,21 +306,39 @@ class PathSpace {
           from_camera ? medium_at(path[i + 1], -x.direction).top() : medium_to_camera(i, x.direction, path).top();
       if (from_camera && !solids.segments_may_cross_media() && medium != medium_to_camera(i, x.direction, path).top())
         return false;
-      const scene::Solid* solid = solids.find(medium);
-      x.media.transmittance = solid ? solid->transmittance(length) : Color(1);
+      if constexpr (M::kScattering) {
+        x.media.transmittance = x.media.survival = Color(1);  // `visible` computes them
+      } else {
+        const scene::Solid* solid = solids.find(medium);
+        x.media.transmittance = solid ? solid->transmittance(length) : Color(1);
+      }
     }
     return true;
+  }
+
+  // The solids around the start of the ray of `visible`.
+  Medium medium_of_connection(int i, const Ray& ray, const Path& path) const {
+    if (i < path.edges() - 1) return medium_at(path[i + 1], -path[i].direction);
+    if (i == 0 && path.light.infinite) return medium_at_camera<M>(*context_, ray, path.time);
+    return medium_at(path[i], path[i].direction);
+  }
+
+  // Computes what passes a connection in scattering media; false if it is occluded.
+  bool pass_media(int i, const Ray& ray, float length, uint32_t seed, Path& path) requires(M::kScattering) {
+    transport::MediumSegment segment;
+    transport::trace_segment(*scene_, ray, length, seed, path.time, medium_of_connection(i, ray, path), segment, {},
+                             transport::MediumDetail::exact);
+    rays_ += 1 + segment.rays;
+    store_segment_of_edge(segment, path[i]);
+    return !segment.hit && evaluate_color(path);
   }
 
   // Whether a connection is unoccluded. `connect_media` has set its transmittance, except where stochastic opacity may
   // let it pass boundaries of solids.
   bool is_transparent(int i, const Ray& ray, float length, uint32_t seed, Path& path) {
-    const bool from_camera = i < path.edges() - 1;
-    const Medium medium = from_camera                     ? medium_at(path[i + 1], -path[i].direction)
-                          : i == 0 && path.light.infinite ? medium_at_camera<M>(*context_, ray, path.time)
-                                                          : medium_at(path[i], path[i].direction);
     const Color transmittance =
-        transport::connection_passage(*scene_, ray, length, seed, path.time, medium, rays_).transmittance;
+        transport::connection_passage(*scene_, ray, length, seed, path.time, medium_of_connection(i, ray, path), rays_)
+            .transmittance;
     if (is_black(transmittance)) return false;
     if (!scene_->solids().segments_may_cross_media()) return true;
     path[i].media.transmittance = transmittance;
@@ -301,8 +355,23 @@ class PathSpace {
     transport::build_bsdf<M>(x.point, x.bsdf);
   }
 
+  static void leave_volume([[maybe_unused]] Vertex& x) {
+    if constexpr (M::kScattering) {
+      x.media.in_volume = x.point.in_volume = false;
+      x.media.extinction = Color(1);
+    }
+  }
+  // Places a vertex at a collision in the medium that its interface states.
+  void build_collision(Vertex& x, const Vec3& position) const requires(M::kScattering) {
+    const VolumeScattering scattering = scattering_at(scene_->solids(), x.media.interface.side(true), position);
+    transport::set_volume_point({position, scattering.phase, scattering.scattering}, x.traced_from, x.point);
+    x.bsdf.set_volume(*scattering.phase);
+    x.media.in_volume = true;
+    x.media.extinction = scattering.extinction;
+  }
+
   bool trace_next(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
-    const auto set = [&](const Color& t) { set_transmittance(t, path[i]); };
+    const auto set = [&](const auto& segment) { store_segment_of_edge(segment, path[i]); };
     if (!trace(ray, medium, path.time, random, path[i + 1], set)) return false;
     path[i].direction = ray.direction;
     path[i].length =
@@ -313,7 +382,7 @@ class PathSpace {
   bool trace_previous(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
     Vertex& x = path[i - 1];
     x.direction = -ray.direction;
-    if (trace(ray, medium, path.time, random, x, [&](const Color& t) { set_transmittance(t, x); })) {
+    if (trace(ray, medium, path.time, random, x, [&](const auto& segment) { store_segment_of_edge(segment, x); })) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
       if (i == 1) set_light(path);
       return x.length > 0;
@@ -325,8 +394,10 @@ class PathSpace {
     return i == 1;
   }
 
-  static void set_transmittance(const Color& transmittance, Vertex& x) {
-    if constexpr (M::kMedia) x.media.transmittance = transmittance;
+  template <class Segment>
+  static void store_segment_of_edge(const Segment& segment, Vertex& x) {
+    x.media.transmittance = segment.transmittance;
+    if constexpr (M::kScattering) x.media.survival = segment.survival;
   }
 
   // The light is the last vertex of a camera subpath.
@@ -361,8 +432,8 @@ class PathSpace {
     Color f(0);
     if (x.delta) {
       DeltaDirection<Color> seen, sent;
-      if (!x.bsdf.delta_direction(wo, x.transmitted, TransportMode::radiance, seen)) return false;
-      if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
+      if (!specular_direction(x, wo, TransportMode::radiance, seen)) return false;
+      if (!specular_direction(x, wi, TransportMode::importance, sent)) return false;
       f = seen.value;
       x.projected_ratio = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
       x.to_light = seen.probability;
@@ -370,6 +441,9 @@ class PathSpace {
     } else {
       const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
+      if constexpr (M::kScattering)
+        if (x.media.in_volume)
+          f *= scattering_at(scene_->solids(), x.media.interface.side(true), x.point.position).scattering;
       x.to_light = seen.pdf;
       x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }
@@ -406,6 +480,8 @@ class PathSpace {
     }
     light.first = density.first;
     light.second = density.second;
+    if constexpr (M::kScattering)
+      if (light.infinite && scene_->atmosphere_is_unbounded()) return false;
     return !is_black(light.emitted);
   }
 
@@ -435,8 +511,15 @@ class PathSpace {
       scale *= double{largest};
     };
     for (int i = 1; i < path.edges(); ++i) scale_color(path[i].color);
-    if constexpr (M::kMedia)
+    if constexpr (M::kScattering) {
+      for (int i = 0; i < path.edges(); ++i) {
+        const auto value = static_cast<float>(path.edge_value(i));
+        if (!(value > 0)) return false;
+        scale_color(path[i].media.transmittance / value);
+      }
+    } else if constexpr (M::kMedia) {
       for (int i = 0; i < path.edges(); ++i) scale_color(path[i].media.transmittance);
+    }
     if constexpr (M::kClasses) scale_color(class_share(path));
     const double y = luminance(color);
     path.brightness = y * scale;
@@ -455,10 +538,17 @@ class PathSpace {
     shares_[classes.next(classes.start(), Event::camera)] = Color(1);
     for (int i = path.edges() - 1; i > 0; --i) {
       const Vertex& x = path[i];
+      next_shares_.assign(classes.size(), Color(0));
+      if constexpr (M::kScattering)
+        if (x.media.in_volume) {
+          for (size_t q = 0; q < classes.size(); ++q)
+            next_shares_[classes.next(static_cast<State>(q), Event::volume)] += shares_[q];
+          std::swap(shares_, next_shares_);
+          continue;
+        }
       const auto parts = x.delta ? typename Shares::Parts{Color(0), Color(0), Color(1)}
                                  : Shares::letter_parts(x.bsdf, path.direction_to_camera(i), path.direction_to_light(i),
                                                         Event::diffuse);
-      next_shares_.assign(classes.size(), Color(0));
       for (size_t q = 0; q < classes.size(); ++q) {
         const auto state = static_cast<State>(q);
         next_shares_[classes.next(state, Event::diffuse)] += shares_[q] * parts.diffuse;

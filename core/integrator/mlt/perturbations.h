@@ -3,7 +3,9 @@
 //
 // Vertices are retraced from one end of the path: its first ray is moved a little, specular directions are recomputed,
 // and the first other vertex is connected to the unchanged rest. The displacement of the ray is symmetric in the image
-// or in angle, and specular directions have probability 1, so T(x -> y) / f(y) contains only factors of f.
+// or in angle, and specular directions have probability 1, so T(x -> y) / f(y) contains only factors of f. In scattering
+// media, the ends of the retraced edges are sampled by free flights, whose densities T contains as well; vertices on
+// surfaces and in volumes may replace each other.
 #pragma once
 #include "integrator/mlt/path_space.h"
 
@@ -69,7 +71,7 @@ bool retrace_from_camera(const LightPath<M>& x, Vec2 raster, Vec2 lens, int end,
     DeltaDirection<typename M::Color> only;
     if (!y[i].delta)
       only.wi = perturb_direction(x.direction_to_light(i), angles, random);
-    else if (!y[i].bsdf.delta_direction(y.direction_to_camera(i), y[i].transmitted, TransportMode::radiance, only))
+    else if (!space.specular_direction(y[i], y.direction_to_camera(i), TransportMode::radiance, only))
       return false;
     if (!space.trace_to_light(i, only.wi, random, y)) return false;
   }
@@ -82,7 +84,10 @@ template <class M>
 double camera_retrace_density_over_f(int end, const LightPath<M>& y) {
   double f = y.brightness;
   for (int i = std::max(end, 1); i < y.edges(); ++i) f *= double{y[i].value};
-  if (end > 0) f *= y.cosine_to_camera(end - 1) * y.inverse_square(end - 1) * (end > 1 ? double{y[end - 1].value} : 1);
+  for (int i = end; i < y.edges(); ++i) f /= y.flight_to_light(i);
+  if (end > 0)
+    f *= y.cosine_to_camera(end - 1) * y.inverse_square(end - 1) * y.edge_value(end - 1) *
+         (end > 1 ? double{y[end - 1].value} : 1);
   return 1 / f;
 }
 
@@ -111,8 +116,7 @@ bool retrace_from_light(const LightPath<M>& x, int start, const LogUniform& angl
     y[i].delta = true;
     y[i].transmitted = x[i].transmitted;
     DeltaDirection<typename M::Color> only;
-    if (!y[i].bsdf.delta_direction(y.direction_to_light(i), y[i].transmitted, TransportMode::importance, only))
-      return false;
+    if (!space.specular_direction(y[i], y.direction_to_light(i), TransportMode::importance, only)) return false;
     if (!space.trace_to_camera(i, only.wi, random, y)) return false;
   }
   return space.connect(k - 1, y) && space.evaluate(start, k - 1, y) && space.visible(k - 1, random, y);
@@ -126,7 +130,8 @@ double light_retrace_density_over_f(int start, const LightPath<M>& y) {
   if (start > 0) f *= double{y[start].value};
   for (int i = start + 1; i < k; ++i)
     f *= y[i].value / double{y[i].delta ? y[i].projected_ratio : 1} * y.cosine_to_camera(i) / y.cosine_to_light(i);
-  return 1 / (f * double{y.importance});
+  for (int i = start; i < k - 1; ++i) f /= y.flight_to_camera(i);
+  return 1 / (f * y.edge_value(k - 1) * double{y.importance});
 }
 
 }  // namespace etendue::integrator

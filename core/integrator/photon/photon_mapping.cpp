@@ -24,6 +24,9 @@
 // Gather rays that collide are estimated in the same way. Where a ball of the maximum radius would reach beyond the
 // boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
 //
+// Media that emit are seen directly on the segments of camera paths before gathering (E S_G* L). All other light of them
+// comes from photons that start in media. The caustics map contains those of term a.
+//
 // Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
 // Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,
 // whatever the sampler, because a resumed rendering must reproduce the same map.
@@ -37,6 +40,7 @@
 //                 and leak light. Near-specular surfaces receive point lights only directly.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/direct_light_by_lobe.h"
+#include "integrator/photon/emission_of_media.h"
 #include "integrator/photon/final_gather.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
@@ -80,6 +84,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .shortcut = '8',
         .scattering_media = true,
         .heterogeneous_media = true,
+        .emitting_media = true,
     };
   }
 
@@ -154,6 +159,10 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
+  std::string incompatibility(const RenderContext& context) const override {
+    return incompatibility_with_endless_emission(context);
+  }
+
  private:
   transport::LobeSplit split() const { return transport::LobeSplit(roughness); }
   bool is_direct() const { return mode == PhotonUse::is_direct; }
@@ -190,7 +199,8 @@ class PhotonMapping::Maps final : public RenderState {
     const bool can_reuse = previous && !renews() && !previous->renews() && previous->same_light(context);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half)
       for (const bool caustics : {false, true}) {
-        if (caustics && (integrator.is_direct() || context.model->diffuse)) continue;
+        const bool has_caustics = !context.model->diffuse || context.scene->solids().any_medium_emits();
+        if (caustics && (integrator.is_direct() || !has_caustics)) continue;
         auto& emission = emissions_[half][caustics];
         const PhotonPlan plan = integrator.plan(caustics, context.model->scattering);
         if (can_reuse) emission = previous->emissions_[half][caustics];
@@ -290,10 +300,13 @@ class PhotonMapping::Maps final : public RenderState {
     using namespace transport;
     ShallowCollisions<M> shallow(paths);
     DirectLightByLobe<M> direct_light(paths, view.split, shallow);
+    EmissionOfMedia<M> media(paths);
     while (paths.trace()) {
+      media.add_emission_of_misses();
       add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
+        media.add_emission_before_hits();
         add_emission(paths, kLobeSplitHeuristic);
         shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;
@@ -315,11 +328,14 @@ class PhotonMapping::Maps final : public RenderState {
     const LobeSplit split = integrator_.split();
     ShallowCollisions<M> shallow(paths);
     DirectLightByLobe<M> direct_light(paths, split, shallow);
+    EmissionOfMedia<M> media(paths);
     while (paths.trace()) {
+      media.add_emission_of_misses();
       add_environment(paths, kLobeSplitHeuristic);
       if (!integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
+        media.add_emission_before_hits();
         add_emission(paths, kLobeSplitHeuristic);
         shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;

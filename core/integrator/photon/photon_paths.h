@@ -12,7 +12,8 @@
 // times metres, and photons of a dense medium are not counted in a thin one beside it.
 //
 // The caustics map contains photons that have been scattered by near-specular lobes only, at least once: D_G S_G+ L,
-// from the camera.
+// from the camera. No light samples find media that emit, so photons that start in media are stored one edge earlier
+// than others: the map contains D_G S_G* L for them.
 #pragma once
 #include "integrator/photon/photon.h"
 #include "integrator/shared/light_subpaths.h"
@@ -31,8 +32,11 @@ struct PhotonPlan {
   int min_volume_length = 0;  // the same for collisions in media; 0: none are stored
   int max_length = 0;         // 0: no limit
 
-  bool stores_on_surfaces(int length) const { return length >= min_length; }
-  bool stores_in_volumes(int length) const { return min_volume_length > 0 && length >= min_volume_length; }
+  // `from_medium`: the path starts in a medium that emits light.
+  bool stores_on_surfaces(int length, bool from_medium) const { return length + (from_medium ? 1 : 0) >= min_length; }
+  bool stores_in_volumes(int length, bool from_medium) const {
+    return min_volume_length > 0 && length + (from_medium ? 1 : 0) >= min_volume_length;
+  }
 
   static constexpr int kTask = SampleTable::kPaths;
   int tasks() const { return (photons + kTask - 1) / kTask; }
@@ -70,10 +74,11 @@ struct StoredPhotons {
 
 // Where a photon of a current hit is stored; null if it is not.
 template <class M>
-std::vector<photon::Photon>* list_for(const PhotonPlan& plan, const transport::PathWavefront<M>& paths, int hit,
-                                      StoredPhotons& photons) {
-  if (paths.in_volume(hit)) return plan.stores_in_volumes(paths.length()) ? &photons.volumes : nullptr;
-  const bool is_stored = plan.stores_on_surfaces(paths.length()) && plan.split.has_rough(paths.bsdf(hit));
+std::vector<photon::Photon>* list_for(const PhotonPlan& plan, const LightSubpaths<M>& subpaths,
+                                      const transport::PathWavefront<M>& paths, int hit, StoredPhotons& photons) {
+  const bool from_medium = subpaths.starts_in_medium(paths.path_at(hit));
+  if (paths.in_volume(hit)) return plan.stores_in_volumes(paths.length(), from_medium) ? &photons.volumes : nullptr;
+  const bool is_stored = plan.stores_on_surfaces(paths.length(), from_medium) && plan.split.has_rough(paths.bsdf(hit));
   return is_stored ? &photons.surfaces : nullptr;
 }
 
@@ -81,12 +86,14 @@ template <class M>
 void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
                    StoredPhotons& photons) {
   using namespace transport;
-  if (!plan.stores_on_surfaces(paths.length()) && !plan.stores_in_volumes(paths.length())) return;
+  const bool media_emit = paths.scene().solids().any_medium_emits();
+  if (!plan.stores_on_surfaces(paths.length(), media_emit) && !plan.stores_in_volumes(paths.length(), media_emit))
+    return;
   if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
   const PackedVertices packed(paths);
   const float share = 1 / static_cast<float>(plan.photons);
   for (int i = 0; i < paths.hit_count(); ++i) {
-    std::vector<photon::Photon>* list = list_for(plan, paths, i, photons);
+    std::vector<photon::Photon>* list = list_for(plan, subpaths, paths, i, photons);
     if (!list) continue;
     const int path = paths.path_at(i);
     auto power = paths.state(path).throughput * (subpaths.flux(path) * share);
@@ -120,7 +127,8 @@ std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sam
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCausticSeed : 0);
   subpaths->launch(
       context, sample, std::min(PhotonPlan::kTask, plan.photons - first), task_context, paths,
-      [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; });
+      [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; },
+      LightPathStarts::anywhere);
   while (paths.trace())
     while (paths.next_hits()) {
       if (paths.length() == 1) subpaths->apply_range_window(paths);

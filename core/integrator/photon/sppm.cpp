@@ -22,6 +22,9 @@
 // in media is treated as on surfaces: by shadow rays, or by photons (`connect`). Where the ball would reach beyond the
 // boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
 //
+// Media that emit are seen directly on the segments of camera paths. All other light of them comes from photons that
+// start in media.
+//
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          consistent
 //   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon,
@@ -31,6 +34,7 @@
 //                 small part of the lit scene receive few photons.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/direct_light_by_lobe.h"
+#include "integrator/photon/emission_of_media.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/photon/photon_paths.h"
@@ -60,6 +64,7 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
         .shortcut = '9',
         .scattering_media = true,
         .heterogeneous_media = true,
+        .emitting_media = true,
     };
   }
 
@@ -108,6 +113,10 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
+
+  std::string incompatibility(const RenderContext& context) const override {
+    return incompatibility_with_endless_emission(context);
+  }
 
   // `scattering`: the scene has media that scatter.
   PhotonPlan plan(int pixels, bool scattering) const {
@@ -211,10 +220,13 @@ class State final : public RenderState {
     };
     ShallowCollisions<M> shallow(paths);
     DirectLightByLobe<M> direct_light(paths, view.split, shallow);
+    EmissionOfMedia<M> media(paths);
     while (paths.trace()) {
+      media.add_emission_of_misses();
       add_environment(paths, kLobeSplitHeuristic);
       if (integrator_.connect && !integrator_.at_max_depth(paths.length())) direct_light.add_on_misses();
       while (paths.next_hits()) {
+        media.add_emission_before_hits();
         add_emission(paths, kLobeSplitHeuristic);
         shallow.begin_hits();
         if (integrator_.at_max_depth(paths.length())) continue;

@@ -77,12 +77,16 @@ class PrimarySampleTarget {
   static void estimate(const BidirectionalOptions& options, transport::PathWavefront<M>& paths) {
     using namespace transport;
     const auto sampling = LightSampling::compensated(LightStrategy::automatic);
+    MediumLight<M> media(paths, options.heuristic);
     while (paths.trace()) {
+      media.add_emission_of_misses();
       add_environment(paths, options.heuristic, sampling);
       while (paths.next_hits()) {
+        media.add_emission_before_hits();
         add_emission(paths, options.heuristic, sampling);
         if (options.too_long(paths.length() + 1)) continue;
         add_direct_light(paths, sampling, options.heuristic);
+        media.add_light_samples();
         sample_bsdf(paths, options.roulette_start);
       }
     }

@@ -54,6 +54,8 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
             "bright paths.",
         .accumulation = Accumulation::splats_only,
         .scattering_media = true,
+        .heterogeneous_media = true,
+        .emitting_media = true,
         .ignores_portals = true,
     };
   }

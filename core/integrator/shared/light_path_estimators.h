@@ -19,7 +19,7 @@ inline Ray ray_to(const scene::SurfacePoint& point, const Vec3& wi, float distan
   return ray;
 }
 
-// Connects the start of a light path to the camera: the directly visible light. Lights without extent contribute
+// Connects the start of a light path to the camera: the directly visible light of surfaces, environments and media. Lights without extent contribute
 // nothing. weight_of(density, wi, distance) receives the density of the light's point as sampled from the camera, in
 // pixels per area of the light (infinite lights: per solid angle), and the direction and distance to the camera.
 template <class M, class Weight>
@@ -40,6 +40,14 @@ void connect_light_to_camera(const RenderContext& context, const typename LightS
   }
   const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
+  if (e.kind == LightKind::medium) {
+    scene::SurfacePoint at;
+    at.position = e.position;
+    const auto weight = weight_of(view->importance, view->wi, view->distance);
+    const float value = view->importance / e.density.first * transport::known_factor(weight);
+    return splatter.connect(start.path, ray_to(at, view->wi, view->distance), e.time, seed,
+                            start.medium_beyond(view->wi), view->distance, view->raster, start.emitted * value, weight);
+  }
   const scene::SurfacePoint& point = *start.point;
   const float facing = glm::dot(point.front ? point.ng : -point.ng, view->wi);
   // A double-sided emitter emits from the other side as well.

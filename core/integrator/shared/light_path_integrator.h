@@ -52,7 +52,8 @@ class LightPathIntegrator : public IntegratorBase<Derived> {
             integrator_.template connect_light_to_camera<M>(context_, start, lens,
                                                             paths.state(start.path).seed + sample, splatter);
             return true;
-          });
+          },
+          LightPathStarts::anywhere);
       integrator_.template estimate<M>(context_, *subpaths, paths, splatter);
       if (paths.cancelled()) return {};
       return splatter.finish() + paths.rays_traced();

@@ -14,6 +14,16 @@ inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buff
   return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalfBuffers + half_buffer + kNoPixel) ^ path) >> 32);
 }
 
+// Where subpaths start: on lights, or also in media that emit.
+enum class LightPathStarts : uint8_t { on_lights, anywhere };
+
+// Why subpaths cannot start everywhere; empty if they can.
+inline std::string incompatibility_with_endless_emission(const RenderContext& context) {
+  const scene::AtmosphereMedium* atmosphere = context.scene->solids().atmosphere();
+  if (!atmosphere || !atmosphere->medium.emits() || !context.scene->atmosphere_is_unbounded()) return {};
+  return "the atmosphere emits light and has no end, so light paths cannot start in it: set atmosphere.radius";
+}
+
 template <class M>
 class LightSubpaths {
  public:
@@ -42,17 +52,21 @@ class LightSubpaths {
   // flux, and returns whether the subpath is traced.
   template <class NumberOf, class OnStart>
   void launch(const RenderContext& context, uint32_t sample, int count, const TaskContext& task_context,
-              PathWavefront& paths, NumberOf&& number_of, OnStart&& on_start) {
+              PathWavefront& paths, NumberOf&& number_of, OnStart&& on_start,
+              LightPathStarts where = LightPathStarts::on_lights) {
     const uint32_t half_buffer = sample % film::kHalfBuffers;
     paths.begin(*context.scene, *context.sampler, sample / film::kHalfBuffers, task_context.keep_going,
                 context.model->moving);
     for (int i = 0; i < count; ++i) paths.add(light_path_seed(context.seed, number_of(i), half_buffer));
-    launch_added(context, paths, on_start, [](int) { return true; });
+    launch_added(
+        context, paths, on_start, [](int) { return true; }, where);
   }
 
   // Launches the paths that have been added to the wavefront and for which is_selected(path) holds.
   template <class OnStart, class Selected>
-  void launch_added(const RenderContext& context, PathWavefront& paths, OnStart&& on_start, Selected&& is_selected) {
+  void launch_added(const RenderContext& context, PathWavefront& paths, OnStart&& on_start, Selected&& is_selected,
+                    LightPathStarts where = LightPathStarts::on_lights) {
+    const float media_share = where == LightPathStarts::anywhere ? share_of_media(*context.scene) : 0;
     if constexpr (M::kClasses) paths.filter_paths_from_light(*context.model->paths->from_light());
     const int count = paths.size();
     using namespace emission_dimension;
@@ -77,9 +91,14 @@ class LightSubpaths {
         start.path = i;
         start.point = nullptr;
         start.emission = {};
-        context.scene->lights().sample_emission({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
-                                                 cosine_directions_[static_cast<size_t>(i - first)]},
-                                                start.emission);
+        const EmissionRandom numbers(at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
+                                     cosine_directions_[static_cast<size_t>(i - first)]);
+        if constexpr (M::kScattering)
+          if (media_share > 0) {
+            start_anywhere(*context.scene, numbers, media_share, paths.opacity_seed(i), start);
+            continue;
+          }
+        context.scene->lights().sample_emission(numbers, start.emission);
       }
       finish_starts(*context.scene, size);
       for (int k = 0; k < size; ++k) {
@@ -93,8 +112,9 @@ class LightSubpaths {
   float flux(int path) const { return flux_[static_cast<size_t>(path)]; }
   // The times of all subpaths, including those of zero flux.
   const float* times() const { return times_.data(); }
-  // The index of the light on which a subpath started.
+  // The index of the light on which a subpath started; kNotALight in a medium.
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
+  bool starts_in_medium(int path) const { return M::kScattering && light(path) == scene::InstanceData::kNotALight; }
 
   // Applies the range of point lights (KHR_lights_punctual) to the first segments. To be called before the first
   // vertices are processed further.
@@ -107,6 +127,47 @@ class LightSubpaths {
   }
 
  private:
+  // The probability that a subpath starts in a medium, in proportion to the powers.
+  static float share_of_media(const scene::CompiledScene& scene) {
+    const float media = scene.solids().emission_points().power(), lights = scene.lights().power();
+    return media > 0 ? media / (media + lights) : 0;
+  }
+
+  // Starts on a light or in a medium. `seed` gives a further random number.
+  static void start_anywhere(const scene::CompiledScene& scene, EmissionRandom random, float media_share, uint32_t seed,
+                             Start& start) {
+    Emission& e = start.emission;
+    if (random.choice < media_share) {
+      random.choice /= media_share;
+      return start_in_medium(scene, random, media_share, seed, start);
+    }
+    const float light_share = 1 - media_share;
+    random.choice = std::min((random.choice - media_share) / light_share, kOneMinusEpsilon);
+    scene.lights().sample_emission(random, e);
+    e.weight /= light_share;
+    e.density.first *= light_share;
+  }
+
+  // Starts at a point of a medium that emits, sampled by its power, in a uniform direction. The flux per volume is 4 pi
+  // times the emission coefficient.
+  static void start_in_medium(const scene::CompiledScene& scene, const EmissionRandom& random, float media_share,
+                              uint32_t seed, Start& start) {
+    const float third = to_unit_float(mix_bits(seed + 0x9e3779b9U));
+    const MediumEmitters::Point point =
+        scene.solids().emission_points().sample_point(random.choice, Vec3(random.point, third));
+    const scene::MediumStack stack = scene.solids().containing(scene.instances(), point.position, random.time);
+    Emission& e = start.emission;
+    e.kind = LightKind::medium;
+    e.light = scene::InstanceData::kNotALight;
+    e.time = random.time;
+    e.position = point.position;
+    e.direction = square_to_sphere(random.direction);
+    e.radiance = scene.solids().emission_at(stack, point.position);
+    e.density = {point.pdf * media_share, 1 / (4 * kPi), false, false};
+    if (point.pdf > 0) e.weight = 4 * kPi / e.density.first;
+    if constexpr (M::kMedia) start.media.clear(stack);
+  }
+
   // Computes positions and emission of a batch of starts; surface points are evaluated in batches.
   void finish_starts(const scene::CompiledScene& scene, int size) {
     std::array<Hit, kBatch> hits;
@@ -145,7 +206,8 @@ class LightSubpaths {
     ray.direction = e.direction;
     if (start.point) start.point->spawn(e.direction, ray);
     if constexpr (M::kMedia)
-      if (e.weight > 0) scene.find_media_at_light(e, start.point, ray.origin, start.media);
+      if (e.weight > 0 && e.kind != LightKind::medium)
+        scene.find_media_at_light(e, start.point, ray.origin, start.media);
   }
 
   void launch_one(int k, PathWavefront& paths) {

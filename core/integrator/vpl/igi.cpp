@@ -14,7 +14,8 @@
 //             lights              BSDF sampling
 //
 // In scattering media, vertices at collisions become virtual lights and are lit by them, with the phase function in place
-// of the BSDF and a cosine of 1. The transmittance of a connection is not part of G.
+// of the BSDF and a cosine of 1. The transmittance of a connection is not part of G. Light paths also start in media that
+// emit. z receives direct light of these media by direction samples, as in path tracing (MediumLight).
 //
 // With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
 // Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
@@ -32,6 +33,7 @@
 #include "integrator/vpl/virtual_lighting.h"
 #include "integrator/vpl/virtual_lights.h"
 #include "sampling/random.h"
+#include "transport/wavefront/medium_light.h"
 
 namespace etendue::integrator {
 
@@ -57,6 +59,7 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
         .accumulation = Accumulation::per_image,
         .scattering_media = true,
         .heterogeneous_media = true,
+        .emitting_media = true,
     };
   }
 
@@ -103,6 +106,10 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
+
+  std::string incompatibility(const RenderContext& context) const override {
+    return incompatibility_with_endless_emission(context);
+  }
 
   VirtualLightPlan plan() const {
     VirtualLightPlan plan;
@@ -219,14 +226,18 @@ class IgiState final : public RenderState {
                 transport::PathWavefront<M>& paths) const {
     using namespace transport;
     static thread_local std::array<float, PathWavefront<M>::kCapacity> departure_cosines;  // of the sampled directions
+    MediumLight<M> media(paths, kHeuristic);
     while (paths.trace()) {
+      media.add_emission_of_misses();
       add_environment(paths, kHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
+        media.add_emission_before_hits();
         add_emission(paths, kHeuristic);
         if (integrator_.at_max_depth(paths.length())) continue;
         apply_bound_compensation(paths, departure_cosines);
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
+        media.add_light_samples();
         lighting.add(paths);
         sample_bsdf_and_record(
             paths, integrator_.roulette_start, TransportMode::radiance,

@@ -106,7 +106,8 @@ std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32
   const int first = task * VirtualLightPlan::kTask;
   subpaths->launch(
       context, sample, std::min(VirtualLightPlan::kTask, plan.paths - first), task_context, paths,
-      [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) { return true; });
+      [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) { return true; },
+      LightPathStarts::anywhere);
   VirtualLightRecorder<M> recorder(plan, *subpaths, first, lights);
   while (paths.trace())
     while (paths.next_hits()) {

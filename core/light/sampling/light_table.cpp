@@ -54,6 +54,7 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
     light.source = ++source;
     light.is_infinite = true;
   }
+  for (const SelectableLight& light : lights) power_ += light.power;
   selector_ = LightSelector(lights);
   if (environment_.black()) return;
   lights.back().power *= environment_.compensated_share();

@@ -38,6 +38,8 @@ class LightTable {
   const std::vector<AreaLightTriangle>& triangles() const { return primitives_.triangles(); }
   const std::vector<PlacedLight>& placed() const { return *placed_; }
   size_t placed_count() const;
+  // The luminance of the power of all lights into the scene, W.
+  float power() const { return power_; }
   const EnvironmentMap& environment() const { return environment_; }
   const EnvironmentPortals& portals() const { return portals_; }
 
@@ -145,6 +147,7 @@ class LightTable {
   LightSelector selector_;
   LightSelector compensated_selector_;
   bool has_point_lights_ = false;
+  float power_ = 0;
 };
 
 }  // namespace etendue

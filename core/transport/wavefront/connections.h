@@ -55,7 +55,8 @@ class Connections {
         continue;
       }
       const Segment& s = segments_[slot];
-      const Passage passage = media.passage(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
+      const Passage passage =
+          media.passage(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays, s.weight.others > 0);
       const Rgb weighted = passage.transmittance * s.weight.at(passage.survival);
       if (!is_black(weighted)) deliver(contributions_[slot], weighted);
     }

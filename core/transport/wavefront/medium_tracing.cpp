@@ -115,11 +115,26 @@ RandomStream stream_of(const Ray& ray, uint32_t seed) {
 
 template <class Color>
 Color transmittance_of(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
-                       RandomStream& random, const MediumColors<Color>& colors) {
-  if (const HeterogeneousMedium* m = medium.heterogeneous)
-    return estimated_transmittance<Color>(*m, colors.of(*m), span_of(ray, scale, part, medium), m->estimator, random);
+                       RandomStream& random, const MediumColors<Color>& colors,
+                       MediumDetail detail = MediumDetail::transmittance) {
+  if (const HeterogeneousMedium* m = medium.heterogeneous) {
+    const auto estimator = detail == MediumDetail::exact ? TransmittanceEstimator::regular : m->estimator;
+    return estimated_transmittance<Color>(*m, colors.of(*m), span_of(ray, scale, part, medium), estimator, random);
+  }
   if (medium.homogeneous) return colors.of(*medium.homogeneous).transmittance(medium.length);
   return part.solid ? colors.transmittance(*part.solid, std::max(part.length, 0.0f)) : Color(1);
+}
+
+// The probabilities that flights pass a part without a collision. Media that only absorb have no collisions.
+template <class Color>
+Color survival_of(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
+                  const Color& transmittance, const MediumColors<Color>& colors, MediumDetail detail) {
+  if (medium.homogeneous) return medium.homogeneous->scatters() ? transmittance : Color(1);
+  const HeterogeneousMedium* m = medium.heterogeneous;
+  if (!m || !m->scatters() || detail == MediumDetail::transmittance) return Color(1);
+  if (detail == MediumDetail::exact) return transmittance;
+  const auto& coefficients = colors.of(*m);
+  return exponential_of(approximate_depth<Color>(*m, coefficients, span_of(ray, scale, part, medium)));
 }
 
 // Passes through a part; returns the metres from its start to a collision inside it.
@@ -232,14 +247,15 @@ MediumLightOnRay medium_light_on_ray(const scene::CompiledScene& scene, const Ra
 
 template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                      scene::MediumStack stack, BasicMediumSegment<Color>& segment, const MediumColors<Color>& colors) {
+                      scene::MediumStack stack, BasicMediumSegment<Color>& segment, const MediumColors<Color>& colors,
+                      MediumDetail detail) {
   const float scale = std::sqrt(length_squared(ray.direction));
   RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
-    const Color transmittance = transmittance_of(medium, ray, scale, part, random, colors);
+    const Color transmittance = transmittance_of(medium, ray, scale, part, random, colors, detail);
     segment.transmittance *= transmittance;
-    if (medium.homogeneous && medium.homogeneous->scatters()) segment.scattering_transmittance *= transmittance;
+    segment.survival *= survival_of(medium, ray, scale, part, transmittance, colors, detail);
     return true;
   });
 }
@@ -267,7 +283,7 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
   });
   segment.transmittance = flight.weight();
   segment.emitted = flight.emitted();
-  segment.survival = flight.survival();
+  segment.survival_to_end = flight.survival();
   segment.densities = flight.densities();
   if (!segment.collision.phase) return;
   segment.hit = {};
@@ -275,45 +291,71 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
 }
 
 template <class Color>
-Color transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
-                                       const scene::Solid* solid, const MediumColors<Color>& colors) {
+BasicPassage<Color> passage_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length,
+                                               uint32_t seed, const scene::Solid* solid, MediumDetail detail,
+                                               const MediumColors<Color>& colors) {
   RandomStream random = stream_of(ray, seed);
   const float scale = std::sqrt(length_squared(ray.direction));
   const SegmentPart part{solid, ray.tnear, length};
-  return transmittance_of(medium_part(scene.solids(), ray, scale, part), ray, scale, part, random, colors);
+  const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
+  const Color transmittance = transmittance_of(medium, ray, scale, part, random, colors, detail);
+  return {transmittance, average(survival_of(medium, ray, scale, part, transmittance, colors, detail))};
 }
 
 template <class Color>
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                    const scene::MediumStack& stack, BasicMediumSegment<Color>& segment,
-                   const MediumColors<Color>& colors) {
+                   const MediumColors<Color>& colors, MediumDetail detail) {
   segment.hit = scene.intersect_solids(ray, seed, time);
-  complete_segment(scene, ray, length, seed, time, stack, segment, colors);
+  complete_segment(scene, ray, length, seed, time, stack, segment, colors, detail);
+}
+
+void trace_flight(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed, float time,
+                  const scene::MediumStack& stack, float random, BasicFlightSegment<Rgb>& segment) {
+  const float scale = std::sqrt(length_squared(ray.direction));
+  const Hit first = scene.intersect_solids(ray, seed, time);
+  segment.hit = first;
+  sample_segment(scene, ray, ray.tfar * scale, seed, time, stack, FreeFlight(Rgb(1), random), segment, {});
+  // The same segment again, up to the end of the flight.
+  Ray passed = ray;
+  MediumSegment whole;
+  whole.hit = first;
+  if (segment.collision.phase) {
+    passed.tfar = glm::distance(ray.origin, segment.collision.position) / scale;
+    if (!(first && first.t < passed.tfar)) whole.hit = {};
+  }
+  complete_segment(scene, passed, passed.tfar * scale, seed, time, stack, whole, {}, MediumDetail::exact);
+  segment.transmittance = whole.transmittance;
+  segment.survival = whole.survival;
+  segment.rays += whole.rays + 1;
 }
 
 template <class Color>
 BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
-                                       float time, const scene::MediumStack& stack, uint64_t& rays,
+                                       float time, const scene::MediumStack& stack, uint64_t& rays, MediumDetail detail,
                                        const MediumColors<Color>& colors) {
   BasicMediumSegment<Color> segment;
-  trace_segment(scene, ray, length, seed, time, stack, segment, colors);
+  trace_segment(scene, ray, length, seed, time, stack, segment, colors, detail);
   rays += 1 + segment.rays;
   if (segment.hit) return {Color(0), 0};
-  return {segment.transmittance, average(segment.scattering_transmittance)};
+  return {segment.transmittance, average(segment.survival)};
 }
 
 #define ETENDUE_INSTANTIATE(Color)                                                                                    \
   template void complete_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float, scene::MediumStack, \
-                                 BasicMediumSegment<Color>&, const MediumColors<Color>&);                             \
+                                 BasicMediumSegment<Color>&, const MediumColors<Color>&, MediumDetail);               \
   template void sample_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                       \
                                const scene::MediumStack&, BasicFreeFlight<Color>, BasicFlightSegment<Color>&,         \
                                const MediumColors<Color>&);                                                           \
-  template Color transmittance_without_boundaries(const scene::CompiledScene&, const Ray&, float, uint32_t,           \
-                                                  const scene::Solid*, const MediumColors<Color>&);                   \
+  template BasicPassage<Color> passage_without_boundaries(const scene::CompiledScene&, const Ray&, float, uint32_t,   \
+                                                          const scene::Solid*, MediumDetail,                          \
+                                                          const MediumColors<Color>&);                                \
   template void trace_segment(const scene::CompiledScene&, const Ray&, float, uint32_t, float,                        \
-                              const scene::MediumStack&, BasicMediumSegment<Color>&, const MediumColors<Color>&);     \
+                              const scene::MediumStack&, BasicMediumSegment<Color>&, const MediumColors<Color>&,      \
+                              MediumDetail);                                                                          \
   template BasicPassage<Color> connection_passage(const scene::CompiledScene&, const Ray&, float, uint32_t, float,    \
-                                                  const scene::MediumStack&, uint64_t&, const MediumColors<Color>&);
+                                                  const scene::MediumStack&, uint64_t&, MediumDetail,                 \
+                                                  const MediumColors<Color>&);
 ETENDUE_INSTANTIATE(Rgb)
 ETENDUE_INSTANTIATE(SampledSpectrum)
 #undef ETENDUE_INSTANTIATE

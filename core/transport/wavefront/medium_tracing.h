@@ -12,14 +12,22 @@
 
 namespace etendue::transport {
 
+// What is found out about heterogeneous media on a segment.
+enum class MediumDetail : uint8_t {
+  transmittance,  // an estimate of the transmittance
+  survival,       // besides, an approximation of the probability that a flight passes (approximate_depth)
+  exact,          // both without error, voxel by voxel
+};
+
 // A segment from the start of a ray to the next vertex.
 template <class Color>
 struct BasicMediumSegment {
   Hit hit;                           // its distance is measured from the start of the ray
   scene::MediumInterface interface;  // at the hit
   Color transmittance{1};
-  // The part of `transmittance` that is due to scattering media.
-  Color scattering_transmittance{1};
+  // The part of `transmittance` that is due to scattering media: the probabilities that flights in each channel have no
+  // collision. In heterogeneous media it depends on MediumDetail; 1 if it is `transmittance`.
+  Color survival{1};
   uint64_t rays = 0;  // traced beyond the first hit
 };
 using MediumSegment = BasicMediumSegment<Rgb>;
@@ -39,7 +47,7 @@ using Passage = BasicPassage<Rgb>;
 template <class Color>
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, BasicMediumSegment<Color>& segment,
-                      const MediumColors<Color>& colors = {});
+                      const MediumColors<Color>& colors = {}, MediumDetail detail = MediumDetail::transmittance);
 
 // The first part of a segment that lies in a scattering medium, up to the next boundary or surface.
 template <class Color>
@@ -57,9 +65,9 @@ using ScatteringInterval = BasicScatteringInterval<Rgb>;
 template <class Color>
 struct BasicFlightSegment : BasicMediumSegment<Color> {
   Collision collision;
-  Color emitted{0};    // radiance that media emit towards the start
-  float survival = 1;  // FreeFlight::survival, up to the end
-  Color densities{0};  // FreeFlight::densities
+  Color emitted{0};           // radiance that media emit towards the start
+  float survival_to_end = 1;  // FreeFlight::survival
+  Color densities{0};         // FreeFlight::densities
   BasicScatteringInterval<Color> first;
 };
 
@@ -70,22 +78,31 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
                     const scene::MediumStack& stack, BasicFreeFlight<Color> flight, BasicFlightSegment<Color>& segment,
                     const MediumColors<Color>& colors = {});
 
-// The transmittance of a segment that passes no boundary, inside a solid or, if it is null, outside of all solids.
+// What passes a segment without boundaries, inside a solid or, if it is null, outside of all solids.
 template <class Color>
-Color transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
-                                       const scene::Solid* solid, const MediumColors<Color>& colors);
+BasicPassage<Color> passage_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length,
+                                               uint32_t seed, const scene::Solid* solid, MediumDetail detail,
+                                               const MediumColors<Color>& colors);
 
 // Traces a whole segment.
 template <class Color>
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                    const scene::MediumStack& stack, BasicMediumSegment<Color>& segment,
-                   const MediumColors<Color>& colors = {});
+                   const MediumColors<Color>& colors = {}, MediumDetail detail = MediumDetail::transmittance);
+
+// Traces a segment whose flight selects each colour channel with the same probability. `random` is uniform in [0, 1).
+// Its transmittance and the probabilities that flights pass it are exact, so that the density of its end is known: the
+// mean over the channels of the extinction coefficient there, 1 on surfaces, times `survival`.
+// `transmittance` is not the factor of the throughput. The interface at a collision is the medium that contains it.
+void trace_flight(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed, float time,
+                  const scene::MediumStack& stack, float random, BasicFlightSegment<Rgb>& segment);
 
 // What passes a connection to a point at a distance of `length` metres; black if a surface blocks it. The direction of
 // the ray may have any length. Adds the number of rays traced to `rays`.
 template <class Color = Rgb>
 BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
                                        float time, const scene::MediumStack& stack, uint64_t& rays,
+                                       MediumDetail detail = MediumDetail::survival,
                                        const MediumColors<Color>& colors = {});
 
 // The media on a ray up to the next surface, or without end: the light that they emit towards its start, and the light
@@ -115,20 +132,22 @@ class TracedConnections {
   // a surface, every connection must be traced from boundary to boundary.
   bool use_packets() const { return !scene_.solids().segments_may_cross_media(); }
 
+  // `needs_survival`: the probability that a flight passes is used; else it is only valid in homogeneous media.
   template <class Color = Rgb>
   BasicPassage<Color> passage(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
-                              const scene::MediumStack& stack, uint64_t& rays,
+                              const scene::MediumStack& stack, uint64_t& rays, bool needs_survival = false,
                               const MediumColors<Color>& colors = {}) const {
+    const MediumDetail detail = needs_survival ? MediumDetail::survival : MediumDetail::transmittance;
     const scene::Solids& solids = scene_.solids();
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
       if (!blocked && solids.any_heterogeneous()) [[unlikely]]
-        return {transmittance_without_boundaries(scene_, ray, length, seed, medium, colors), 1};
+        return passage_without_boundaries(scene_, ray, length, seed, medium, detail, colors);
       if (!blocked) return medium ? inside(*medium, length, colors) : outside_solids(ray, length, colors);
       // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
       if (!medium || !medium->may_overlap) return {Color(0), 0};
     }
-    return connection_passage<Color>(scene_, ray, length, seed, time, stack, rays, colors);
+    return connection_passage<Color>(scene_, ray, length, seed, time, stack, rays, detail, colors);
   }
 
  private:

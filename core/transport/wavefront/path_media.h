@@ -93,7 +93,7 @@ class PathMedia<M, true> {
     flights_.next_densities[p] = segment.densities;
     throughput *= segment.transmittance;
     flights_.emitted[p] = segment.emitted;
-    flights_.survival[p] = segment.survival;
+    flights_.survival[p] = segment.survival_to_end;
     flights_.first[p] = segment.first;
     traced += segment.rays;
     hit = segment.hit;
@@ -166,10 +166,11 @@ class PathMedia<M, true> {
       transport::sample_segment(*scene_, ray, distance, seed, time, stacks_[p],
                                 BasicFreeFlight<Color>::without_collision(unattenuated_[p]), segment,
                                 color_->media(path));
-      return {segment.transmittance, segment.survival};
+      return {segment.transmittance, segment.survival_to_end};
     }
     uint64_t rays = 0;
-    return TracedConnections(*scene_).passage(false, ray, distance, seed, time, stacks_[p], rays, color_->media(path));
+    return TracedConnections(*scene_).passage(false, ray, distance, seed, time, stacks_[p], rays, false,
+                                              color_->media(path));
   }
 
   // Stores a connection; `length` is the distance of its end, metres.
@@ -184,10 +185,15 @@ class PathMedia<M, true> {
   // The transmittance of a connection of a path times its MIS weight.
   Color transmittance(size_t slot, int path, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
-    const auto passage =
-        TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced, color_->media(path));
-    if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
-    return passage.transmittance;
+    const auto passage_of = [&](bool needs_survival) {
+      return TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced, needs_survival,
+                                                color_->media(path));
+    };
+    if constexpr (M::kScattering) {
+      const auto passage = passage_of(c.weight.others > 0);
+      return passage.transmittance * c.weight.at(passage.survival);
+    }
+    return passage_of(false).transmittance;
   }
 
  private:

@@ -362,10 +362,11 @@ class PathWavefront {
       lane_seeds_[lane] = segment_seed(paths[lane]) + salt;
     }
   }
-  // Streams at different vertices of a path are different.
+  // Streams at different vertices of a path are different. Samplers with lanes have one stream for each lane.
   uint32_t stream_seed(uint32_t seed, uint32_t stream) const {
     constexpr uint32_t kLengths = 1024;
-    return hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
+    const uint32_t hash = hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
+    return (hash & world_bits_) | (seed & ~world_bits_);
   }
   uint32_t segment_seed(int path) const { return opacity_seed(path) + static_cast<uint32_t>(depth_); }
 

@@ -225,7 +225,7 @@ TEST(ExtremeHeterogeneousMedia, AreFinite) {
 }
 
 std::string refusal(const Document& d, const std::string& integrator) {
-  const Document chosen = with_integrator(d, integrator);
+  const Document chosen = with(with_integrator(d, integrator), "camera.lens-radius", "0.1");
   return render::incompatibility(chosen, *scene::compile(chosen.scene, chosen.camera, nullptr));
 }
 

@@ -65,6 +65,30 @@ TEST(Grid, CellsCoverARayAndBoundTheDensity) {
   }
 }
 
+// The means of the cells along a ray through all of a linear density integrate it.
+TEST(Grid, CellsHaveTheMeanDensity) {
+  RandomStream random(3);
+  const DensityGrid grid = grid_of({41, 12, 70}, [&](const Vec3& p) { return 1 + 2 * p.x + 3 * p.y + 5 * p.z; });
+  for (int i = 0; i < 200; ++i) {
+    const GridRay ray = random_ray(random);
+    grid.for_each_cell(ray, [&](float, float, const DensityGrid::Cell& cell) {
+      EXPECT_NEAR(cell.mean, 0.5f * (cell.lowest + cell.highest), 1e-4f);
+      return true;
+    });
+  }
+  // All cells have the same size along the second axis.
+  const DensityGrid noise = grid_of({3, 33, 2}, [&](const Vec3&) { return random.next(); });
+  double sum = 0, nodes = 0;
+  noise.for_each_cell(DensityGrid::clipped({{0.25f, 0, 0.5f}, {0, 1, 0}, 0, 1}),
+                      [&](float from, float to, const DensityGrid::Cell& cell) {
+                        sum += static_cast<double>(cell.mean * (to - from));
+                        nodes += static_cast<double>(to - from);
+                        return true;
+                      });
+  EXPECT_NEAR(nodes, 1, 1e-5);
+  EXPECT_NEAR(sum, noise.integral(DensityGrid::clipped({{0.25f, 0, 0.5f}, {0, 1, 0}, 0, 1})), 1e-4);
+}
+
 TEST(Grid, TraversalOfRaysAlongAxesAndEdges) {
   const DensityGrid grid = grid_of({33, 33, 33}, [](const Vec3&) { return 1; });
   for (int axis = 0; axis < 3; ++axis)

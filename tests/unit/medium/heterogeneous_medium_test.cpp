@@ -243,5 +243,43 @@ TEST(Emission, OfABlackBody) {
   EXPECT_NEAR(luminance(HomogeneousMedium(m).emission), 2, 1e-4f);
 }
 
+// The survival of a flight depends on neither the random numbers nor the direction, and is that of a homogeneous medium
+// in a grid of constant density.
+TEST(HeterogeneousMedium, SurvivalIsAFunctionOfTheSpan) {
+  const MediumDescription m = coefficients({3, 1, 0.2f}, {0, 1, 0.5f});
+  const HeterogeneousMedium cloud = slab(m, make_density("cloud")),
+                            constant = slab(m, *make_density("constant", {{"value", 1.0}}));
+  RandomStream random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 a(random.next(), random.next(), random.next()), b(random.next(), random.next(), random.next());
+    FreeFlight flight(Rgb(1, 0.3f, 0.5f), random.next());
+    const auto at = flight.pass(cloud, {a, b - a, 0, 1}, random);
+    FreeFlight back = FreeFlight::without_collision(Rgb(1));
+    back.pass(cloud, {a + (b - a) * at.value_or(1), a - b, 0, at.value_or(1)}, random);
+    EXPECT_NEAR(flight.survival(), back.survival(), 1e-4f * back.survival() + 1e-6f);
+
+    FreeFlight in_grid = FreeFlight::without_collision(Rgb(1)), homogeneous = FreeFlight::without_collision(Rgb(1));
+    in_grid.pass(constant, {a, b - a, 0, 1}, random);
+    homogeneous.pass(HomogeneousMedium(m), glm::distance(a, b));
+    EXPECT_NEAR(in_grid.survival(), homogeneous.survival(), 1e-4f * homogeneous.survival());
+  }
+}
+
+// The weight of a flight that is known to have no collision is that of the exact optical depth, by the balance heuristic.
+TEST(HeterogeneousMedium, FlightsWithoutCollisionsAreExact) {
+  const HeterogeneousMedium m = slab(coefficients({3, 1, 0.2f}, {0, 1, 0.5f}), linear(1, 3));
+  const Rgb throughput(1, 0.25f, 0.75f);
+  RandomStream random(6);
+  FreeFlight flight = FreeFlight::without_collision(throughput);
+  flight.pass(m, kUp, random);
+  Rgb transmittance;
+  float probability = 0;
+  for (int c = 0; c < 3; ++c) {
+    transmittance[c] = std::exp(-2 * m.extinction[c]);
+    probability += throughput[c] / 2 * transmittance[c];
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(flight.weight()[c], transmittance[c] / probability, 1e-4f);
+}
+
 }  // namespace
 }  // namespace etendue

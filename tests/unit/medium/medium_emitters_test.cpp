@@ -86,5 +86,31 @@ TEST(MediumEmitters, WithoutEmissionThereAreNone) {
   EXPECT_EQ(MediumEmitters().pdf(Vec3(0), Vec3(0, 0, 1)), 0);
 }
 
+// The mean of one over the density of points in the boxes is their volume. 4.5 standard errors.
+TEST(MediumEmitters, PointsHaveTheirDensity) {
+  HomogeneousMedium gas;
+  gas.emission = Rgb(2);
+  // Two boxes of 1 and 0.25 m^3, which overlap in 0.125 m^3.
+  const MediumEmitters media(
+      std::vector<EmitterBox>{emitter_box(gas, Vec3(0), Vec3(1)), emitter_box(gas, {0.5f, 0.5f, 0.5f}, {1.5f, 1, 1})});
+  EXPECT_NEAR(media.power(), 4 * kPi * 2 * 1.25f, 1e-4f);
+  RandomStream random(9);
+  double sum = 0, squares = 0;
+  constexpr int kPoints = 20'000;
+  for (int i = 0; i < kPoints; ++i) {
+    const auto p = media.sample_point(random.next(), {random.next(), random.next(), random.next()});
+    ASSERT_GT(p.pdf, 0);
+    const double value = 1 / static_cast<double>(p.pdf);
+    sum += value, squares += value * value;
+  }
+  const double mean = sum / kPoints, error = std::sqrt((squares / kPoints - mean * mean) / kPoints);
+  EXPECT_NEAR(mean, 1.125, 4.5 * error);
+  EXPECT_LT(error, 0.01);
+
+  const MediumEmitters cells = emitters();
+  for (int i = 0; i < 2000; ++i)
+    EXPECT_GT(cells.sample_point(random.next(), {random.next(), random.next(), random.next()}).pdf, 0);
+}
+
 }  // namespace
 }  // namespace etendue
