@@ -15,11 +15,8 @@ TEST_F(Cli, SpectraAreListed) {
   ASSERT_EQ(listed.code, 0) << listed.err;
   std::map<std::string, int> classes;
   for (const auto& entry : json::parse(listed.out)) ++classes[entry["class"].get<std::string>()];
-  const std::map<std::string, int> expected{{"illuminant", 4},
-                                            {"metal", 4},
-                                            {"glass", 5},
-                                            {"absorption coefficient", 1},
-                                            {"scattering coefficient", 1}};
+  const std::map<std::string, int> expected{
+      {"illuminant", 4}, {"metal", 4}, {"glass", 5}, {"absorption coefficient", 1}, {"scattering coefficient", 1}};
   EXPECT_EQ(classes, expected);
 }
 
