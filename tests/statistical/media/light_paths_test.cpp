@@ -11,6 +11,7 @@
 #include "light/environments/sky.h"
 #include "render/incompatibility.h"
 #include "support/integrator_scenes.h"
+#include "support/resume.h"
 #include "support/scattering_scenes.h"
 
 namespace etendue::media_light_paths {
@@ -263,6 +264,12 @@ TEST(LightPathsInMedia, DoNotDependOnThreads) {
     EXPECT_TRUE(test::same_bits(one, test::rendered(d, 2, 2))) << info.name;
     EXPECT_TRUE(test::same_bits(one, test::rendered(d, 2, 7))) << info.name;
   }
+}
+
+// Vertices in volumes are restored from a checkpoint.
+TEST(LightPathsInMedia, ChainsResume) {
+  for (const char* name : {"mlt", "pssmlt"})
+    test::expect_same_bits_after_resume(with(with_integrator(seen(cloud_of(chromatic())), name), "chains", "16"), name);
 }
 
 TEST(LightPathsInMedia, AreFiniteInExtremeMedia) {
