@@ -12,28 +12,34 @@ float density_integral(const DensityGrid& grid, const GridRay& ray, float from, 
          (grid.density(ray.at(from + kGaussPoint * length)) + grid.density(ray.at(to - kGaussPoint * length)));
 }
 
-Rgb transmittance_of_depth(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
-
 }  // namespace
 
-Rgb transmittance_and_emission_by_voxels(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
-                                         Rgb& emitted) {
+template <class Color>
+Color transmittance_and_emission_by_voxels(const HeterogeneousMedium& medium,
+                                           const HeterogeneousCoefficients<Color>& coefficients, const RaySpan& span,
+                                           RandomStream& random, Color& emitted) {
   const DensityGrid& grid = *medium.grid;
   const GridRay ray = medium.in_grid(span);
   const float metres = HeterogeneousMedium::metres(span);
   const GridSize voxels{grid.nodes()[0] - 1, grid.nodes()[1] - 1, grid.nodes()[2] - 1};
-  Rgb transmittance(1);
+  Color transmittance(1);
   DensityGrid::traverse(ray, Vec3(voxels[0], voxels[1], voxels[2]), voxels, [&](float from, float to, size_t) {
     const float depth = density_integral(grid, ray, from, to) * metres;
     if (!(depth > 0)) return true;
     const float at = from + (to - from) * random.next();
     const Vec3 p = ray.at(at);
-    const Rgb before = transmittance_of_depth(medium.extinction * (density_integral(grid, ray, from, at) * metres));
-    emitted += transmittance * before * medium.emitted(p, grid.density(p)) * ((to - from) * metres);
-    transmittance *= transmittance_of_depth(medium.extinction * depth);
+    const Color before = exponential_of(coefficients.extinction * (density_integral(grid, ray, from, at) * metres));
+    emitted += transmittance * before * medium.emitted(coefficients, p, grid.density(p)) * ((to - from) * metres);
+    transmittance *= exponential_of(coefficients.extinction * depth);
     return max_component(transmittance) > 0;
   });
   return transmittance;
 }
+
+template Rgb transmittance_and_emission_by_voxels(const HeterogeneousMedium&, const HeterogeneousCoefficients<Rgb>&,
+                                                  const RaySpan&, RandomStream&, Rgb&);
+template SampledSpectrum transmittance_and_emission_by_voxels(const HeterogeneousMedium&,
+                                                              const HeterogeneousCoefficients<SampledSpectrum>&,
+                                                              const RaySpan&, RandomStream&, SampledSpectrum&);
 
 }  // namespace etendue

@@ -3,8 +3,8 @@
 // Spectra of RGB coefficients are smooth, bounded and not negative. RGB coefficients without colour give constant
 // spectra.
 //
-//   scattering  sigma_s(lambda) = m S(lambda), where S has the RGB value sigma_s / m and m is twice the largest component:
-//               the RGB value of the spectrum is the RGB coefficient, so that thin media show the same colour
+//   scattering  sigma_s(lambda) = m S(lambda), where S has the RGB value sigma_s / m and m is twice the largest
+//               component: the RGB value of the spectrum is the RGB coefficient, so that thin media show the same colour
 //   absorption  sigma_a(lambda) = -ln S(lambda) / d, where S has the RGB value exp(-sigma_a d) and d is one over the
 //               largest component: the transmittance of d metres has the RGB value that Beer's law gives for RGB
 //

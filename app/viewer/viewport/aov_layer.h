@@ -1,6 +1,6 @@
-// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, and the terms
-// of the equation of transfer in scenes with participating media. They are computed beside the main rendering, which
-// continues. The terms are computed again with more samples until they have 256 per pixel.
+// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, and the
+// terms of the equation of transfer in scenes with participating media. They are computed beside the main rendering,
+// which continues. The terms are computed again with more samples until they have 256 per pixel.
 #pragma once
 #include <atomic>
 #include <functional>

@@ -1,4 +1,5 @@
-// A light path as a value: the state of Markov chains over paths.   [Lang, sec. 8.4.3.3, 9.4.2; Veach 1997, ch. 8 and 11]
+// A light path as a value: the state of Markov chains over paths.
+//                                                                 [Lang, sec. 8.4.3.3, 9.4.2; Veach 1997, ch. 8 and 11]
 //
 // A path of k edges has vertices x_0 .. x_k, x_0 on a light and x_k on the lens. Its contribution is the product
 //
@@ -10,11 +11,11 @@
 // point of the unit square from which the lens point is made. The integral of f is the sum over all pixels of the
 // image. (A directly visible infinite light is measured per image point instead: f = L_e.)
 //
-// In media, f contains the transmittance of every edge. A vertex in a volume has a cosine of 1, F_i is the phase function
-// times the scattering coefficient, and the measure is that of volumes. A free flight along an edge ends there with the
-// density sigma_t T per metre, and passes the edge with the probability T; both are means over the colour channels, of
-// which a flight selects one with the same probability. Densities contain them with exact transmittances, also in
-// heterogeneous media.
+// In media, f contains the transmittance of every edge. A vertex in a volume has a cosine of 1, F_i is the phase
+// function times the scattering coefficient, and the measure is that of volumes. A free flight along an edge ends there
+// with the density sigma_t T per metre, and passes the edge with the probability T; both are means over the colour
+// channels, of which a flight selects one with the same probability. Densities contain them with exact transmittances,
+// also in heterogeneous media.
 //
 // Specular vertices: F_i is the coefficient of the delta, and densities are probabilities relative to the delta of a
 // subpath from the camera. The delta of a light subpath differs by the ratio of projected solid angles,

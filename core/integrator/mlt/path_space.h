@@ -1,4 +1,4 @@
-// Sampling and evaluation of light paths (light_path.h).               [Lang, sec. 8.4.3.3, 9.4.2; Veach 1997, sec. 11.2]
+// Sampling and evaluation of light paths (light_path.h).             [Lang, sec. 8.4.3.3, 9.4.2; Veach 1997, sec. 11.2]
 //
 // The number of edges of a path is set first. Then its vertices are sampled by subpaths from either end, a connection
 // joins them, and `evaluate` computes the quantities of the new edges. All of these functions return false if the path

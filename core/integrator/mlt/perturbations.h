@@ -3,9 +3,9 @@
 //
 // Vertices are retraced from one end of the path: its first ray is moved a little, specular directions are recomputed,
 // and the first other vertex is connected to the unchanged rest. The displacement of the ray is symmetric in the image
-// or in angle, and specular directions have probability 1, so T(x -> y) / f(y) contains only factors of f. In scattering
-// media, the ends of the retraced edges are sampled by free flights, whose densities T contains as well; vertices on
-// surfaces and in volumes may replace each other.
+// or in angle, and specular directions have probability 1, so T(x -> y) / f(y) contains only factors of f. In
+// scattering media, the ends of the retraced edges are sampled by free flights, whose densities T contains as well;
+// vertices on surfaces and in volumes may replace each other.
 #pragma once
 #include "integrator/mlt/path_space.h"
 

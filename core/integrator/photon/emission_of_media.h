@@ -1,5 +1,5 @@
-// The emission of media on the segments of camera paths that look up photons. Photons that start in media find all other
-// light of these media.
+// The emission of media on the segments of camera paths that look up photons. Photons that start in media find all
+// other light of these media.
 #pragma once
 #include "transport/wavefront/medium_light.h"
 

@@ -24,8 +24,8 @@
 // Gather rays that collide are estimated in the same way. Where a ball of the maximum radius would reach beyond the
 // boundary at which a camera path has entered the medium, the path continues instead (shallow_collisions.h).
 //
-// Media that emit are seen directly on the segments of camera paths before gathering (E S_G* L). All other light of them
-// comes from photons that start in media. The caustics map contains those of term a.
+// Media that emit are seen directly on the segments of camera paths before gathering (E S_G* L). All other light of
+// them comes from photons that start in media. The caustics map contains those of term a.
 //
 // Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
 // Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,

@@ -5,11 +5,11 @@
 // (transport/wavefront/lobe_split.h), even if they continue by a near-specular lobe: the estimate multiplies them by
 // the rough lobes as a whole.
 //
-// In scattering media, photons are also stored at collisions [Jensen and Christensen 1998]. A free flight has collisions
-// with the density sigma_t exp(-tau), and the throughput at a collision contains the albedo. The powers of the photons in
-// a region therefore sum to the power that is scattered in it, the integral of sigma_s times the fluence. Stored powers
-// are divided by the scattering coefficient at their collisions, so that the sum is the integral of the fluence, in watts
-// times metres, and photons of a dense medium are not counted in a thin one beside it.
+// In scattering media, photons are also stored at collisions [Jensen and Christensen 1998]. A free flight has
+// collisions with the density sigma_t exp(-tau), and the throughput at a collision contains the albedo. The powers of
+// the photons in a region therefore sum to the power that is scattered in it, the integral of sigma_s times the
+// fluence. Stored powers are divided by the scattering coefficient at their collisions, so that the sum is the integral
+// of the fluence, in watts times metres, and photons of a dense medium are not counted in a thin one beside it.
 //
 // The caustics map contains photons that have been scattered by near-specular lobes only, at least once: D_G S_G+ L,
 // from the camera. No light samples find media that emit, so photons that start in media are stored one edge earlier
@@ -44,8 +44,8 @@ struct PhotonPlan {
   friend bool operator==(const PhotonPlan&, const PhotonPlan&) = default;
 };
 
-// A path through milk has hundreds of collisions: the mean number of photons that a light path stores in media is at most
-// this.
+// A path through milk has hundreds of collisions: the mean number of photons that a light path stores in media is at
+// most this.
 inline constexpr size_t kMostVolumePhotonsPerPath = 16;
 
 // Normals and directions of the current hits, packed as in photons.

@@ -9,8 +9,8 @@
 // falls as r^2, that is as n^(alpha - 1). [Hachisuka and Jensen 2009] store a radius and photon statistics per pixel;
 // here the radius depends on the sample number alone [Knaus and Zwicker 2011], so that samples are independent and
 // their mean is the image. Each half-buffer counts its own samples. The initial radius is a number of pixel footprints
-// at the length of the path. In media it is the same everywhere: with footprints, which vanish at the camera, collisions
-// close to a camera in a medium would have infinite variance.
+// at the length of the path. In media it is the same everywhere: with footprints, which vanish at the camera,
+// collisions close to a camera in a medium would have infinite variance.
 //
 // In scattering media, collisions are vertices like those of rough surfaces. Photons are stored at their collisions
 // (photon_paths.h), and in-scattered radiance at the first collision of a camera path is estimated from those in a ball
@@ -129,8 +129,8 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     return plan;
   }
 
-  // The area of the disc, and the volume of the ball, of sample number `index` (from 0) of a half-buffer, relative to the
-  // first.
+  // The area of the disc, and the volume of the ball, of sample number `index` (from 0) of a half-buffer, relative to
+  // the first.
   double region_ratio(uint32_t index) const {
     double ratio = 1;
     for (uint32_t i = 1; i <= index; ++i) ratio *= (i + double{alpha}) / (i + 1.0);

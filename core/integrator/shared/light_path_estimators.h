@@ -19,9 +19,10 @@ inline Ray ray_to(const scene::SurfacePoint& point, const Vec3& wi, float distan
   return ray;
 }
 
-// Connects the start of a light path to the camera: the directly visible light of surfaces, environments and media. Lights without extent contribute
-// nothing. weight_of(density, wi, distance) receives the density of the light's point as sampled from the camera, in
-// pixels per area of the light (infinite lights: per solid angle), and the direction and distance to the camera.
+// Connects the start of a light path to the camera: the directly visible light of surfaces, environments and media.
+// Lights without extent contribute nothing. weight_of(density, wi, distance) receives the density of the light's point
+// as sampled from the camera, in pixels per area of the light (infinite lights: per solid angle), and the direction and
+// distance to the camera.
 template <class M, class Weight>
 void connect_light_to_camera(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens,
                              uint32_t seed, Splatter& splatter, Weight&& weight_of) {

@@ -13,9 +13,9 @@
 //    1 = min(1, bound / G)  +  max(0, 1 - bound / G)
 //             lights              BSDF sampling
 //
-// In scattering media, vertices at collisions become virtual lights and are lit by them, with the phase function in place
-// of the BSDF and a cosine of 1. The transmittance of a connection is not part of G. Light paths also start in media that
-// emit. z receives direct light of these media by direction samples, as in path tracing (MediumLight).
+// In scattering media, vertices at collisions become virtual lights and are lit by them, with the phase function in
+// place of the BSDF and a cosine of 1. The transmittance of a connection is not part of G. Light paths also start in
+// media that emit. z receives direct light of these media by direction samples, as in path tracing (MediumLight).
 //
 // With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
 // Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
@@ -25,9 +25,9 @@
 //                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
 //   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
-//                 or with a bound and without compensation are too dark. Compensation misses light that reaches the next
-//                 vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as
-//                 diffuse unless the full BSDF is used.
+//                 or with a bound and without compensation are too dark. Compensation misses light that reaches the
+//                 next vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated
+//                 as diffuse unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"

@@ -30,8 +30,8 @@ struct VirtualLight {
   float cosine(const Vec3& w) const { return phase ? 1 : glm::dot(point.ng, w); }
 };
 
-// A path through a dense medium has hundreds of collisions: the mean number of virtual lights of a light path is at most
-// this.
+// A path through a dense medium has hundreds of collisions: the mean number of virtual lights of a light path is at
+// most this.
 inline constexpr size_t kMostVirtualLightsPerPath = 16;
 
 struct VirtualLightPlan {

@@ -25,9 +25,9 @@
 // free flights pass the segments between the vertices remain. They are means over the colour channels, and in
 // heterogeneous media approximations from the mean densities of coarse cells (approximate_depth). In homogeneous media
 // without colour these are the densities. Other values do not make estimates biased: the weights are functions of the
-// vertices of the path alone and sum to 1 over its techniques, because all of them use the same value for a segment. Let
-// technique s sample paths with the density p_s, and let its estimate, given the path, have the mean f / p_s, as delta
-// tracking and estimates of transmittance provide. The expectation of all techniques together is then
+// vertices of the path alone and sum to 1 over its techniques, because all of them use the same value for a segment.
+// Let technique s sample paths with the density p_s, and let its estimate, given the path, have the mean f / p_s, as
+// delta tracking and estimates of transmittance provide. The expectation of all techniques together is then
 //
 //   sum over s of  int w_s (f / p_s) p_s  =  int f  sum over s of w_s  =  int f
 #pragma once

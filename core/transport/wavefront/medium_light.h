@@ -9,7 +9,6 @@
 // Segments that no other technique samples, above all those that start at the camera, are integrated voxel by voxel.
 //
 // The functions do nothing in models without scattering media, and add nothing in scenes without emitting ones.
-// Spectral models have no light samples.
 #pragma once
 #include "transport/wavefront/path_estimators.h"
 
@@ -33,7 +32,7 @@ class MediumLight {
   // Without a heuristic, paths find all light themselves, and there are no light samples.
   MediumLight(PathWavefront<M>& paths, Combination combination, const Techniques& techniques = {})
       : paths_(paths),
-        combination_(M::kSpectral ? Combination() : combination),
+        combination_(combination),
         techniques_(techniques),
         emits_(paths.scene().solids().any_medium_emits()),
         heterogeneous_(paths.scene().solids().any_heterogeneous()) {}
@@ -52,7 +51,7 @@ class MediumLight {
 
   // One direction sample per current hit. `branches` is the number of BSDF samples of the vertex.
   void add_light_samples(float branches = 1) {
-    if constexpr (M::kScattering && !M::kSpectral) {
+    if constexpr (M::kScattering) {
       if (emitters().empty() || !combination_) return;
       paths_.select_rng_stream(PathWavefront<M>::kMediumLightStream);
       paths_.draw(kNumbers);
@@ -82,9 +81,8 @@ class MediumLight {
 
   void add_emission(int path, const Vec3& direction) {
     Color emitted = paths_.media().emitted(path);
-    if constexpr (!M::kSpectral)
-      if (heterogeneous_ && combination_ && paths_.state(path).pdf == 0)
-        emitted = paths_.radiance_of_media_on_segment(path);
+    if (heterogeneous_ && combination_ && paths_.state(path).pdf == 0)
+      emitted = paths_.radiance_of_media_on_segment(path);
     if (is_black(emitted)) return;
     auto& state = paths_.state(path);
     const float weight = weight_of_emission(path, direction);
@@ -111,7 +109,7 @@ class MediumLight {
       scattered.f_cos =
           paths_.shares().connection_value(paths_.path_at(hit), bsdf, paths_.wo(hit), light.direction, scattered.f_cos);
     if (is_black(scattered.f_cos)) return;
-    const Rgb radiance = paths_.radiance_of_media(hit, light.direction);
+    const Color radiance = paths_.radiance_of_media(hit, light.direction);
     if (is_black(radiance)) return;
     const float other_pdf = technique.other_exists ? branches * scattered.pdf : 0;
     const float weight = technique.factor * mis_weight_over_pdf(*combination_, light.pdf, other_pdf) / probability;
@@ -127,22 +125,24 @@ class MediumLight {
     paths_.recorder()->add_medium_emission(path,
                                            {color.to_rgb(path, emitted), weight, color.to_rgb(path, contribution)});
   }
-  [[gnu::cold, gnu::noinline]] void record(int hit, const MediumEmitters::Sample& light, const Rgb& radiance,
+  [[gnu::cold, gnu::noinline]] void record(int hit, const MediumEmitters::Sample& light, const Color& radiance,
                                            float weight, const typename Bsdf<M>::Value& scattered,
                                            const Color& contribution) {
+    const int path = paths_.path_at(hit);
+    const auto to_rgb = [&](const Color& color) { return paths_.color().to_rgb(path, color); };
     LightSample sample;
     sample.kind = LightKind::medium;
     sample.wi = light.direction;
     sample.pdf = light.pdf;
-    sample.radiance = radiance;
+    sample.radiance = to_rgb(radiance);
     sample.distance = 0;  // the estimate of the radiance includes occlusion
-    paths_.recorder()->add_light(paths_.path_at(hit),
+    paths_.recorder()->add_light(path,
                                  {.sample = sample,
-                                  .radiance = radiance,
-                                  .f_cos = scattered.f_cos,
+                                  .radiance = sample.radiance,
+                                  .f_cos = to_rgb(scattered.f_cos),
                                   .bsdf_pdf = scattered.pdf,
                                   .mis_weight = weight * light.pdf,
-                                  .unoccluded = contribution},
+                                  .unoccluded = to_rgb(contribution)},
                                  -1);
   }
 

@@ -196,49 +196,59 @@ struct MediaBeforeInterval {
 };
 
 // The fraction of the extinction that is due to scattering, by channel.
-Rgb albedo_of(const MediumPart& medium) {
-  const Rgb &scattering = medium.heterogeneous ? medium.heterogeneous->scattering : medium.homogeneous->scattering,
-            &extinction = medium.heterogeneous ? medium.heterogeneous->extinction : medium.homogeneous->extinction;
-  Rgb albedo(0);
-  for (int c = 0; c < 3; ++c)
-    if (extinction[c] > 0) albedo[c] = scattering[c] / extinction[c];
+template <class Coefficients>
+auto albedo_of(const Coefficients& coefficients) {
+  auto albedo = coefficients.scattering;
+  for (int c = 0; c < kChannels<decltype(albedo)>; ++c)
+    albedo[c] = coefficients.extinction[c] > 0 ? albedo[c] / coefficients.extinction[c] : 0;
   return albedo;
 }
 
 // Adds a part of a ray beyond those that `light` describes.
+template <class Color>
 void add_part(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part, EmissionPoints points,
-              RandomStream& random, MediumLightOnRay& light) {
-  Rgb emitted(0), transmittance;
-  if (const HeterogeneousMedium* m = medium.heterogeneous; m && m->emits()) {
+              RandomStream& random, const MediumColors<Color>& colors, BasicMediumLightOnRay<Color>& light) {
+  Color emitted(0), transmittance, albedo(0);
+  if (const HeterogeneousMedium* m = medium.heterogeneous) {
+    const auto& coefficients = colors.of(*m);
     const RaySpan span = span_of(ray, scale, part, medium);
-    transmittance = points == EmissionPoints::of_voxels
-                        ? transmittance_and_emission_by_voxels(*m, span, random, emitted)
-                        : transmittance_and_emission(*m, span, random, emitted);
+    albedo = albedo_of(coefficients);
+    if (!m->emits())
+      transmittance = estimated_transmittance<Color>(*m, coefficients, span, m->estimator, random);
+    else if (points == EmissionPoints::of_voxels)
+      transmittance = transmittance_and_emission_by_voxels<Color>(*m, coefficients, span, random, emitted);
+    else
+      transmittance = transmittance_and_emission<Color>(*m, coefficients, span, random, emitted);
+  } else if (medium.homogeneous) {
+    const auto& coefficients = colors.of(*medium.homogeneous);
+    albedo = albedo_of(coefficients);
+    transmittance = coefficients.transmittance(medium.length);
+    emitted = coefficients.emitted(medium.length);
   } else {
-    transmittance = transmittance_of(medium, ray, scale, part, random, MediumColors<Rgb>());
+    transmittance = transmittance_of(medium, ray, scale, part, random, colors);
   }
-  if (medium.homogeneous) emitted = medium.homogeneous->emitted(medium.length);
   light.emitted += light.transmitted * emitted;
   // Light from the end passes this part first.
-  const Rgb lost = Rgb(1) - transmittance;
-  const Rgb albedo = medium.heterogeneous || medium.homogeneous ? albedo_of(medium) : Rgb(0);
-  light.absorbed = lost * (Rgb(1) - albedo) + transmittance * light.absorbed;
+  const Color lost = Color(1) - transmittance;
+  light.absorbed = lost * (Color(1) - albedo) + transmittance * light.absorbed;
   light.scattered = lost * albedo + transmittance * light.scattered;
   light.transmitted *= transmittance;
 }
 
 }  // namespace
 
-MediumLightOnRay medium_light_on_ray(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed, float time,
-                                     const scene::MediumStack& start, EmissionPoints points) {
+template <class Color>
+BasicMediumLightOnRay<Color> medium_light_on_ray(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed,
+                                                 float time, const scene::MediumStack& start, EmissionPoints points,
+                                                 const MediumColors<Color>& colors) {
   const float scale = std::sqrt(length_squared(ray.direction));
   scene::MediumStack stack = start;
   RandomStream random = stream_of(ray, seed);
-  MediumSegment segment;
+  BasicMediumSegment<Color> segment;
   segment.hit = scene.intersect_solids(ray, seed, time);
-  MediumLightOnRay light;
+  BasicMediumLightOnRay<Color> light;
   traverse(scene, ray, ray.tfar, seed, time, stack, segment, [&](const SegmentPart& part) {
-    add_part(medium_part(scene.solids(), ray, scale, part), ray, scale, part, points, random, light);
+    add_part(medium_part(scene.solids(), ray, scale, part), ray, scale, part, points, random, colors, light);
     return true;
   });
   light.rays = 1 + segment.rays;
@@ -355,7 +365,10 @@ BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const 
                               MediumDetail);                                                                          \
   template BasicPassage<Color> connection_passage(const scene::CompiledScene&, const Ray&, float, uint32_t, float,    \
                                                   const scene::MediumStack&, uint64_t&, MediumDetail,                 \
-                                                  const MediumColors<Color>&);
+                                                  const MediumColors<Color>&);                                        \
+  template BasicMediumLightOnRay<Color> medium_light_on_ray(const scene::CompiledScene&, const Ray&, uint32_t, float, \
+                                                            const scene::MediumStack&, EmissionPoints,                \
+                                                            const MediumColors<Color>&);
 ETENDUE_INSTANTIATE(Rgb)
 ETENDUE_INSTANTIATE(SampledSpectrum)
 #undef ETENDUE_INSTANTIATE

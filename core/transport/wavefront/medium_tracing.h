@@ -107,21 +107,26 @@ BasicPassage<Color> connection_passage(const scene::CompiledScene& scene, const 
 
 // The media on a ray up to the next surface, or without end: the light that they emit towards its start, and the light
 // that they remove from what enters the ray at its end.                                [Lang, eq. 4.59-4.61]
-struct MediumLightOnRay {
-  Rgb emitted{0};  // radiance that reaches the start
+template <class Color>
+struct BasicMediumLightOnRay {
+  Color emitted{0};  // radiance that reaches the start
   // The parts of the light from the end that reach the start, that media absorb, and that they scatter into other
   // directions. Their sum is 1 in each channel.
-  Rgb transmitted{1}, absorbed{0}, scattered{0};
+  Color transmitted{1}, absorbed{0}, scattered{0};
   uint64_t rays = 0;  // traced
 };
+using MediumLightOnRay = BasicMediumLightOnRay<Rgb>;
 
 // Where the emission of heterogeneous media is evaluated: at random points whose number depends on the optical depth,
 // or at one point of every voxel, which takes longer and is nearly exact.
 enum class EmissionPoints : uint8_t { few, of_voxels };
 
 // In heterogeneous media, estimates without bias. The ray starts in the solids of `stack`.
-MediumLightOnRay medium_light_on_ray(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed, float time,
-                                     const scene::MediumStack& stack, EmissionPoints points = EmissionPoints::few);
+template <class Color = Rgb>
+BasicMediumLightOnRay<Color> medium_light_on_ray(const scene::CompiledScene& scene, const Ray& ray, uint32_t seed,
+                                                 float time, const scene::MediumStack& stack,
+                                                 EmissionPoints points = EmissionPoints::few,
+                                                 const MediumColors<Color>& colors = {});
 
 // What passes connections that CompiledScene::occluded has tested.
 class TracedConnections {

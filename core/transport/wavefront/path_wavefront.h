@@ -76,11 +76,9 @@ class PathWavefront {
   // Makes launched paths keep a colour channel in scattering media: the hero wavelength of a spectral path, else one
   // that alternates between the samples of a pixel.
   void stratify_channels() {
-    if constexpr (M::kSpectral && M::kScattering)
-      for (int i = 0; i < size_; ++i) media_.keep_channel(i, 0);
-    else if constexpr (M::kScattering)
+    if constexpr (M::kScattering)
       for (int i = 0; i < size_; ++i)
-        media_.keep_channel(i, static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
+        media_.keep_channel(i, M::kSpectral ? 0 : static_cast<int>((mix_bits(state(i).seed) % 3 + sample_ % 3) % 3));
   }
 
   // Makes the next segments pass scattering media without collisions, or ends that.
@@ -263,16 +261,18 @@ class PathWavefront {
       return 1;
   }
   // An estimate of the radiance that media emit towards a current hit from a direction, up to the next surface.
-  Rgb radiance_of_media(int hit, const Vec3& direction) requires(M::kScattering) {
-    const auto light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path_at(hit)),
-                                           state_at(hit).time, medium_beyond(hit, direction));
+  Color radiance_of_media(int hit, const Vec3& direction) requires(M::kScattering) {
+    const int path = path_at(hit);
+    const auto light = medium_light_on_ray(*scene_, ray_from(hit, direction), connection_seed(path), state(path).time,
+                                           medium_beyond(hit, direction), EmissionPoints::few, color_.media(path));
     rays_traced_ += light.rays;
     return light.emitted;
   }
   // The radiance that media emit towards the start of the segment traced last, nearly exact.
-  Rgb radiance_of_media_on_segment(int path) requires(M::kScattering) {
-    const MediumLightOnRay light = medium_light_on_ray(*scene_, media_.ray(path), segment_seed(path), state(path).time,
-                                                       std::as_const(media_).stack(path), EmissionPoints::of_voxels);
+  Color radiance_of_media_on_segment(int path) requires(M::kScattering) {
+    const auto light =
+        medium_light_on_ray(*scene_, media_.ray(path), segment_seed(path), state(path).time,
+                            std::as_const(media_).stack(path), EmissionPoints::of_voxels, color_.media(path));
     rays_traced_ += light.rays;
     return light.emitted;
   }
@@ -512,14 +512,13 @@ void PathWavefront<M>::compute_points(size_t first, size_t count) {
 // The BSDF of a vertex on a surface. Paths end their secondary wavelengths where surfaces disperse light.
 template <class M>
 void PathWavefront<M>::build_surface_bsdf([[maybe_unused]] int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf) {
-  if constexpr (M::kSpectral) {
-    if constexpr (!M::kDiffuse)
-      if (!color_.wavelengths(path).hero_only && disperses(at))
-        color_.end_secondary(path, media_.keep_first_channel(path), state(path).throughput);
+  if constexpr (M::kSpectral && !M::kDiffuse)
+    if (!color_.wavelengths(path).hero_only && disperses(at))
+      color_.end_secondary(path, media_.keep_first_channel(path), state(path).throughput);
+  if constexpr (M::kSpectral)
     build_bsdf<M>(at, color_.wavelengths(path), bsdf);
-  } else {
+  else
     build_bsdf<M>(at, bsdf);
-  }
 }
 
 template <class M>

@@ -219,6 +219,34 @@ TEST(SpectralMedia, EmitAsBlackBodies) {
   }
 }
 
+// A white floor below gas that emits; nothing else does.
+Document floor_below(const MediumDescription& gas) {
+  Mat4 above(1);
+  above[3] = Vec4(0, 2, 0, 1);
+  scene::Scene scene;
+  add(scene, test::quad(8), test::diffuse(Rgb(0.8f, 0.5f, 0.3f)));
+  add(scene, scene::box(Vec3(0.5f)), medium_boundary(gas), above);
+  return in_spectra(small_view(std::move(scene), {0.5f, 2, 6}, {0, 0, 0}));
+}
+
+// Paths that sample directions towards gas have the mean of paths that find it by chance, and a smaller variance.
+TEST(SpectralMedia, LightSamplesOfEmittingMedia) {
+  MediumDescription gas = medium({0.4f, 0.8f, 0.2f}, {2, 1, 0.5f}, 0.3f);
+  gas.emission = {3, 2, 1};
+  MediumDescription flame = gas;
+  flame.density.field = make_density("flame");
+  flame.temperature = 2500;
+  for (const MediumDescription& m : {gas, flame}) {
+    const Document d = floor_below(m);
+    const test::Mean sampled = test::mean_of(test::rendered(with_integrator(d, "path"), 1024)),
+                     by_chance = test::mean_of(test::rendered(with_integrator(d, "path-pure"), 4096));
+    const double error = std::hypot(sampled.standard_error, by_chance.standard_error);
+    EXPECT_NEAR(sampled.value, by_chance.value, 4.5 * error);
+    EXPECT_LT(error, 0.03 * sampled.value);
+    EXPECT_LT(sampled.standard_error, 2 * by_chance.standard_error) << "with a quarter of the samples";
+  }
+}
+
 // ---- Chromatic media.
 
 // A medium in a box above a floor, under a sky.

@@ -104,8 +104,8 @@ TEST(FreeFlight, KeptChannelsAreUnbiased) {
   }
 }
 
-// With equal albedos, the densities of a path are proportional to its throughput: both ways of choosing channels generate
-// the same paths.
+// With equal albedos, the densities of a path are proportional to its throughput: both ways of choosing channels
+// generate the same paths.
 TEST(FreeFlight, DensitiesAreThroughputsForEqualAlbedos) {
   const HomogeneousMedium m = medium({0.4f, 1, 3}, {0.1f, 0.25f, 0.75f});
   RandomStream random(2);

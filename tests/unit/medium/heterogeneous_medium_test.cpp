@@ -265,7 +265,8 @@ TEST(HeterogeneousMedium, SurvivalIsAFunctionOfTheSpan) {
   }
 }
 
-// The weight of a flight that is known to have no collision is that of the exact optical depth, by the balance heuristic.
+// The weight of a flight that is known to have no collision is that of the exact optical depth, by the balance
+// heuristic.
 TEST(HeterogeneousMedium, FlightsWithoutCollisionsAreExact) {
   const HeterogeneousMedium m = slab(coefficients({3, 1, 0.2f}, {0, 1, 0.5f}), linear(1, 3));
   const Rgb throughput(1, 0.25f, 0.75f);
