@@ -262,12 +262,13 @@ MediumStack Solids::containing(const std::vector<InstanceData>& instances, const
   if (!any) return stack;
 
   BoundaryCollector collector(instances);
+  static thread_local std::vector<BoundaryCount> counts;  // light paths that start in media call this function
   // A ray that starts inside a closed boundary leaves it once more than it enters it.
   const auto containing_by_ray = [&](const Vec3& direction) {
     Ray ray;
     ray.origin = point;
     ray.direction = direction;
-    std::vector<BoundaryCount> counts;
+    counts.clear();
     for (const Hit& hit : collector.trace(*accel_, ray, time)) {
       const InstanceData& instance = instances[hit.instance];
       const bool leaves = glm::dot(normal_of(facet_of(instance, hit.triangle, time)), direction) > 0;

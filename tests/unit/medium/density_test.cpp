@@ -144,7 +144,8 @@ TEST(Densities, HaveParametersAndErrors) {
   EXPECT_FALSE(make_density("cloud", {{"frequency", -3.0}}));
   EXPECT_FALSE(make_density("cloud", {{"size", 3.0}}));
   EXPECT_NE(make_density("steam", {}).error().message.find("constant"), std::string::npos);
-  const auto& missing = make_density("file")->grid();
+  const auto without_name = make_density("file");
+  const auto& missing = without_name->grid();
   ASSERT_FALSE(missing);
   EXPECT_NE(missing.error().message.find("set its parameter 'file'"), std::string::npos);
 }
