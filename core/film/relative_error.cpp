@@ -26,6 +26,8 @@ constexpr double kRelmseOffset = 0.01;
 struct Offset {
   int x, y;
 };
+// Every pair of pixels within the search radius has one of these offsets.
+constexpr size_t kOffsets = kReach * (2 * kReach + 1) + kReach;
 
 class Estimator {
  public:
@@ -40,10 +42,12 @@ class Estimator {
         equal_weight_squares_(pixels()),
         slopes_(pixels()),
         difference_(pixels()),
-        noise_(pixels()) {}
+        noise_(pixels()),
+        pair_weights_(kOffsets * pixels()) {}
 
   // The sums over the rows [first, end).
   RelativeErrorSum sums(int first, int end) {
+    find_pair_weights();
     for_pairs([&](size_t p, size_t q, double w) {
       gather(p, q, w);
       gather(q, p, w);
@@ -81,18 +85,44 @@ class Estimator {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
 
-  // Calls f once for each pair of pixels within the search radius, with their mutual weight.
+  // Calls f(offset, its number) for every offset.
   template <typename F>
-  void for_pairs(const F& f) {
+  static void for_offsets(const F& f) {
+    size_t number = 0;
     for (int y = 0; y <= kReach; ++y)
-      for (int x = y > 0 ? -kReach : 1; x <= kReach; ++x) for_pairs_at({x, y}, f);
+      for (int x = y > 0 ? -kReach : 1; x <= kReach; ++x) f(Offset{x, y}, number++);
+  }
+  // Calls f(x, y, pixel) for every pixel that has a partner at this offset.
+  template <typename F>
+  void for_partners(Offset o, const F& f) const {
+    for (int y = 0; y < height_ - o.y; ++y)
+      for (int x = first(o); x < end(o); ++x) f(x, y, index(x, y));
   }
 
+  void find_pair_weights() {
+    for_offsets([&](Offset o, size_t number) {
+      compare(o);
+      std::array<size_t, 9> storage;
+      size_t count = 0;
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i)
+          if (is_compared(i, j, o)) storage[count++] = index(i, j);
+      const std::span<const size_t> neighbours(storage.data(), count);
+      double* weights = &pair_weights_[number * pixels()];
+      for_partners(o, [&](int x, int y, size_t p) {
+        const bool inside = x > first(o) && x + 1 < end(o) && y > 0 && y + 1 < height_ - o.y;
+        weights[p] = inside ? weight_inside(p, neighbours) : weight(x, y, o);
+      });
+    });
+  }
+
+  // Calls f once for each pair of pixels within the search radius, with their mutual weight.
   template <typename F>
-  void for_pairs_at(Offset o, const F& f) {
-    compare(o);
-    for (int y = 0; y < height_ - o.y; ++y)
-      for (int x = first(o); x < end(o); ++x) f(index(x, y), index(x + o.x, y + o.y), weight(x, y, o));
+  void for_pairs(const F& f) const {
+    for_offsets([&](Offset o, size_t number) {
+      const size_t to_partner = static_cast<size_t>(o.y) * static_cast<size_t>(width_) + static_cast<size_t>(o.x);
+      for_partners(o, [&](int, int, size_t p) { f(p, p + to_partner, pair_weights_[number * pixels() + p]); });
+    });
   }
 
   // The range of columns whose partner lies in the image.
@@ -101,32 +131,49 @@ class Estimator {
 
   // The squared difference of each pixel and its partner, and its expectation from noise.
   void compare(Offset o) {
-    for (int y = 0; y < height_ - o.y; ++y)
-      for (int x = first(o); x < end(o); ++x) {
-        const size_t p = index(x, y), q = index(x + o.x, y + o.y);
-        double difference = 0, noise = 0;
-        for (size_t c = 0; c < 3; ++c) {
-          difference += sqr(double{rgb_[3 * p + c]} - double{rgb_[3 * q + c]});
-          noise += double{variance_[3 * p + c]} + double{variance_[3 * q + c]};
-        }
-        difference_[p] = difference;
-        noise_[p] = noise;
+    for_partners(o, [&](int x, int y, size_t p) {
+      const size_t q = index(x + o.x, y + o.y);
+      double difference = 0, noise = 0;
+      for (size_t c = 0; c < 3; ++c) {
+        difference += sqr(double{rgb_[3 * p + c]} - double{rgb_[3 * q + c]});
+        noise += double{variance_[3 * p + c]} + double{variance_[3 * q + c]};
       }
+      difference_[p] = difference;
+      noise_[p] = noise;
+    });
+  }
+
+  // The neighbours of a pixel whose differences are compared: not the pixel and its partner.
+  static bool is_compared(int i, int j, Offset o) {
+    return !((i == 0 && j == 0) || (i == o.x && j == o.y) || (i == -o.x && j == -o.y));
   }
 
   // The weight of a pixel and its partner, from the differences of their neighbours.
   double weight(int x, int y, Offset o) const {
+    const int left = std::max(-1, first(o) - x), right = std::min(1, end(o) - 1 - x);
+    const int top = std::max(-1, -y), bottom = std::min(1, height_ - 1 - o.y - y);
     double difference = 0, noise = 1e-12;
-    for (int j = std::max(-1, -y); j <= std::min(1, height_ - 1 - o.y - y); ++j)
-      for (int i = std::max(-1, first(o) - x); i <= std::min(1, end(o) - 1 - x); ++i) {
-        // Excludes the two pixels themselves.
-        if ((i == 0 && j == 0) || (i == o.x && j == o.y) || (i == -o.x && j == -o.y)) continue;
+    for (int j = top; j <= bottom; ++j)
+      for (int i = left; i <= right; ++i) {
+        if (!is_compared(i, j, o)) continue;
         const size_t p = index(x + i, y + j);
         difference += difference_[p];
         noise += noise_[p];
       }
-    return std::exp(-std::max(0.0, difference / noise - 1));
+    return weight_of(difference, noise);
   }
+
+  // The same for pixels that are not at the border. `neighbours` are the differences of indices.
+  double weight_inside(size_t p, std::span<const size_t> neighbours) const {
+    double difference = 0, noise = 1e-12;
+    for (const size_t neighbour : neighbours) {
+      difference += difference_[p + neighbour];
+      noise += noise_[p + neighbour];
+    }
+    return weight_of(difference, noise);
+  }
+
+  static double weight_of(double difference, double noise) { return std::exp(-std::max(0.0, difference / noise - 1)); }
 
   void gather(size_t p, size_t q, double w) {
     weights_[p] += w;
@@ -155,6 +202,7 @@ class Estimator {
   std::vector<double> equal_weight_squares_;
   std::vector<Numbers> slopes_;
   std::vector<double> difference_, noise_;
+  std::vector<double> pair_weights_;  // by offset, then pixel
 };
 
 }  // namespace
