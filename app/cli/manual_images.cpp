@@ -192,11 +192,11 @@ Result<void> write_scene(const ImageWriter& out, const std::string& name) {
   render::Document d = *render::new_document(name);
   uint32_t samples = 64;
   if (name == "fire") samples = 512;
-  if (name == "milk") {
-    samples = 160;
+  if (name == "milk" || name == "wax") {
+    samples = name == "milk" ? 160 : 400;
     d.method.integrator = "sppm";
     for (const auto& [parameter, value] :
-         {std::pair("sppm.photons", "200000"), std::pair("sppm.volume-radius", "0.002")})
+         {std::pair("sppm.photons", "200000"), std::pair("sppm.volume-radius", name == "milk" ? "0.002" : "0.0015")})
       d = *render::with_text(d, parameter, value);
   }
   return out.render("scene", name, d, samples);
