@@ -127,15 +127,17 @@ bool AovLayer::is_outdated(const std::string& name) const {
 
 AovLayer::~AovLayer() { cancel(); }
 
-// Ends the computation of terms of media, which takes long.
+// Ends the computation of terms of media, which takes long. Other work is short and runs to its end.
 void AovLayer::cancel() {
-  if (cancelled_) cancelled_->store(true);
+  if (!cancelled_) return;
+  cancelled_->store(true);
   cancelled_.reset();
   task_.abandon();
 }
 
 void AovLayer::start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
   requested_ = {.name = name, .version = version};
+  cancelled_.reset();
   if (name == kErrorLayer)
     return task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
   if (!is_medium_term(name))
