@@ -23,19 +23,18 @@ TEST_F(CliAdvice, RanksIntegrators) {
 }
 
 TEST_F(CliAdvice, RanksForARelativeErrorWithinATime) {
-  const Outcome r =
-      run("advise cornell --size 24x24 --error 0.2 --error-measure relative --pilot 60 --time 2 --json");
+  const Outcome r = run("advise cornell --size 24x24 --error 0.2 --error-measure relative --pilot 60 --time 2 --json");
   ASSERT_EQ(r.code, 0) << r.err;
-  EXPECT_NE(r.err.find("pilots take at most about"), std::string::npos) << r.err;
+  const std::string limit = "pilots take at most about ";
+  ASSERT_NE(r.err.find(limit), std::string::npos) << r.err;
+  EXPECT_LE(std::stod(r.err.substr(r.err.find(limit) + limit.size())), 2.5) << r.err;
   const auto j = nlohmann::json::parse(r.out);
   EXPECT_EQ(j["measure"], "relative");
   ASSERT_FALSE(j["methods"].empty());
   double pilots = 0;
   for (const auto& method : j["methods"])
     if (!method["pilot"].is_null()) pilots += method["pilot"]["seconds"].get<double>();
-  // A pilot ends after the round in which 60 % of its time are used.
   EXPECT_GT(pilots, 0);
-  EXPECT_LT(pilots, 10);
   const Outcome text = run("advise cornell --size 24x24 --error 0.2 --error-measure relative --time 1");
   EXPECT_NE(text.out.find("time to relative error 20 %"), std::string::npos) << text.out;
 }
