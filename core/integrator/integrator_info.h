@@ -62,6 +62,7 @@ struct IntegratorInfo {
   bool scattering_media = false;     // renders participating media that scatter; scenes with such media need it
   bool heterogeneous_media = false;  // the same for media whose density varies
   bool emitting_media = false;       // the same for media that emit light
+  bool starts_in_media = false;      // light paths start in media that emit light, which need an end
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
   bool ignores_portals = false;  // no light sample is guided by the environment portals of a scene
   bool spectral = false;         // renders with wavelengths instead of RGB; materials that disperse light need it

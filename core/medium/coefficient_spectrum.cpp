@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "spectrum/named_spectra.h"
-
 namespace etendue {
 namespace {
 
@@ -40,16 +38,6 @@ Spectrum air() {
 
 using Values = std::array<double, WavelengthTable::kNodes>;
 
-std::array<double, 3> rgb_of_values(const Values& values) {
-  std::array<double, 3> sum{};
-  for (size_t i = 0; i < values.size(); ++i) {
-    const auto weights = relative_rgb_weights(WavelengthTable::wavelength(i));
-    const double width = i == 0 || i + 1 == values.size() ? 0.5 : 1;
-    for (size_t c = 0; c < 3; ++c) sum[c] += width * values[i] * weights[c];
-  }
-  return sum;
-}
-
 Rgb rgb_of_absorption(const Values& values) {
   constexpr double kLeastTransmittance = 1e-4;
   constexpr int kIterations = 16;
@@ -60,7 +48,7 @@ Rgb rgb_of_absorption(const Values& values) {
     const double distance = 1 / largest;
     Values transmittance;
     for (size_t i = 0; i < values.size(); ++i) transmittance[i] = std::exp(-values[i] * distance);
-    const auto rgb = rgb_of_values(transmittance);
+    const auto rgb = WavelengthTable::rgb_of(transmittance);
     for (size_t c = 0; c < 3; ++c) absorption[c] = -std::log(std::clamp(rgb[c], kLeastTransmittance, 1.0)) / distance;
     largest = *std::ranges::max_element(absorption);
   }
@@ -101,7 +89,7 @@ CoefficientSpectrum::CoefficientSpectrum(const Spectrum& spectrum) {
     values[i] = extended(spectrum, WavelengthTable::wavelength(i));
     values_[i] = static_cast<float>(values[i]);
   }
-  const auto scattering = rgb_of_values(values);
+  const auto scattering = WavelengthTable::rgb_of(values);
   for (int c = 0; c < 3; ++c)
     rgb_of_scattering_[c] = static_cast<float>(std::max(scattering[static_cast<size_t>(c)], 0.0));
   rgb_of_absorption_ = etendue::rgb_of_absorption(values);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parameter.h"
+#include "spectrum/named_spectra.h"
 #include "spectrum/rgb.h"
 #include "spectrum/spectrum.h"
 #include "spectrum/wavelength_table.h"
@@ -49,14 +50,8 @@ const std::vector<NamedCoefficient>& named_coefficients();
 // Stands for a coefficient that is given as RGB.
 inline constexpr const char* kNoCoefficientSpectrum = "none";
 
-// A spectrum by name; none if the coefficient is given as RGB. Two are equal if their names are.
-struct CoefficientSpectrumRef {
-  std::string name;
-  std::shared_ptr<const CoefficientSpectrum> spectrum = nullptr;
-
-  explicit operator bool() const { return spectrum != nullptr; }
-  friend bool operator==(const CoefficientSpectrumRef& a, const CoefficientSpectrumRef& b) { return a.name == b.name; }
-};
+// None if the coefficient is given as RGB.
+using CoefficientSpectrumRef = NamedSpectrum<CoefficientSpectrum>;
 
 // kNoCoefficientSpectrum, the name of a measured coefficient, or the path of a file (spectrum/spectrum.h).
 Result<CoefficientSpectrumRef> find_coefficient_spectrum(Coefficient coefficient, std::string_view name);

@@ -55,6 +55,8 @@ struct HeterogeneousMedium : HeterogeneousCoefficients<Rgb> {
   // The coefficients at the wavelengths of a path, which must outlive them.
   HeterogeneousCoefficients<SampledSpectrum> at(const Wavelengths& wavelengths) const;
 
+  // A point of the scene in the unit cube of the grid.
+  Vec3 in_grid(const Vec3& position) const { return Vec3(world_to_grid * Vec4(position, 1)); }
   // The part of a ray inside the grid. Parameters are those of the ray; `metres` is the length of one unit of them.
   GridRay in_grid(const RaySpan& span) const;
   static float metres(const RaySpan& span) { return std::sqrt(glm::dot(span.direction, span.direction)); }

@@ -64,6 +64,10 @@ std::string refusal_of(const std::string& integrator, const transport::Model& mo
     return "it does not support media that emit light, which a medium of the scene does, so the image will be black: "
            "use an integrator that does (" +
            integrators_with(&integrator::IntegratorInfo::emitting_media) + ")";
+  const scene::AtmosphereMedium* atmosphere = scene.solids().atmosphere();
+  if (info.starts_in_media && atmosphere && atmosphere->medium.emits() && scene.atmosphere_is_unbounded())
+    return "the atmosphere emits light and has no end, so light paths cannot start in it and the image will be black: "
+           "set atmosphere.radius, or use an integrator without light paths";
   if (model.scattering && !info.scattering_media)
     return unsupported("scattering media", &integrator::IntegratorInfo::scattering_media);
   return {};

@@ -233,7 +233,7 @@ void Solids::find_emitters() {
 Rgb Solids::emission_at(const MediumStack& stack, const Vec3& position) const {
   const auto emission_of = [&](const HomogeneousMedium& medium, const HeterogeneousMedium* heterogeneous) {
     if (!heterogeneous) return medium.emission;
-    const Vec3 p(heterogeneous->world_to_grid * Vec4(position, 1));
+    const Vec3 p = heterogeneous->in_grid(position);
     return heterogeneous->emitted(p, heterogeneous->grid->density(p));
   };
   if (const Solid* solid = find(stack.top())) return emission_of(solid->medium, solid->heterogeneous.get());

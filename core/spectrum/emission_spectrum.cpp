@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "spectrum/named_spectra.h"
 #include "spectrum/uplift.h"
 
 namespace etendue {
@@ -45,14 +44,11 @@ Result<EmissionSpectrum> prepared(const std::string& name) {
 EmissionSpectrum::EmissionSpectrum(const Spectrum& spectrum) {
   constexpr size_t kNodes = WavelengthTable::kNodes;
   std::array<double, kNodes> relative{};
-  std::array<double, 3> sum{};
   for (size_t i = 0; i < kNodes; ++i) {
     const double wavelength = WavelengthTable::wavelength(i);
     relative[i] = mean_around(spectrum, wavelength) / d65_at(wavelength);
-    const auto weights = relative_rgb_weights(wavelength);
-    const double width = i == 0 || i + 1 == kNodes ? 0.5 : 1;
-    for (size_t c = 0; c < 3; ++c) sum[c] += width * relative[i] * weights[c];
   }
+  const auto sum = WavelengthTable::rgb_of(relative);
   const double luminance = 0.2126 * sum[0] + 0.7152 * sum[1] + 0.0722 * sum[2];
   if (!(luminance > 0)) {
     rgb_ = Rgb(0);

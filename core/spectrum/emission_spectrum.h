@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/parameter.h"
+#include "spectrum/named_spectra.h"
 #include "spectrum/spectrum.h"
 #include "spectrum/wavelength_table.h"
 
@@ -36,16 +37,10 @@ class EmissionSpectrum {
   Rgb rgb_{1};
 };
 
-// The spectrum of an emitter by name; none if the name is kNoSpectrum. Two are equal if their names are.
-struct EmissionSpectrumRef {
-  std::string name;
-  std::shared_ptr<const EmissionSpectrum> spectrum = nullptr;
-
-  explicit operator bool() const { return spectrum != nullptr; }
-  const EmissionSpectrum* operator->() const { return spectrum.get(); }
+// The spectrum of an emitter; none if the name is kNoSpectrum.
+struct EmissionSpectrumRef : NamedSpectrum<EmissionSpectrum> {
   // The linear sRGB value of an emitter with this colour.
   Rgb applied_to(const Rgb& color) const { return spectrum ? color * spectrum->rgb() : color; }
-  friend bool operator==(const EmissionSpectrumRef& a, const EmissionSpectrumRef& b) { return a.name == b.name; }
 };
 
 // Stands for an emitter whose spectrum follows from its RGB colour.

@@ -1,4 +1,4 @@
-// Prepared spectra by name, each of which is prepared once. Threads may use it at the same time.
+// Spectra by name.
 #pragma once
 #include <map>
 #include <memory>
@@ -9,6 +9,18 @@
 
 namespace etendue {
 
+// A spectrum and its name; neither if there is none. Two are equal if their names are.
+template <class T>
+struct NamedSpectrum {
+  std::string name;
+  std::shared_ptr<const T> spectrum = nullptr;
+
+  explicit operator bool() const { return spectrum != nullptr; }
+  const T* operator->() const { return spectrum.get(); }
+  friend bool operator==(const NamedSpectrum& a, const NamedSpectrum& b) { return a.name == b.name; }
+};
+
+// Prepared spectra by name, each of which is prepared once. Threads may use it at the same time.
 template <class T>
 class NamedSpectra {
  public:

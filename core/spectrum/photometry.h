@@ -37,9 +37,8 @@ constexpr double radiometric(double photometric, Efficacy efficacy) { return pho
 
 template <>
 struct etendue::Options<etendue::Efficacy> {
-  static constexpr std::array<etendue::Option, 4> kOptions{
-      {{"equal-energy", "146 lm/W, equal energy"},
-       {"standard", "179 lm/W, white light"},
-       {"daylight", "115 lm/W, daylight"},
-       {"maximal", "683 lm/W, 555 nm"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{{{"equal-energy", "146 lm/W, equal energy"},
+                                                            {"standard", "179 lm/W, white light"},
+                                                            {"daylight", "115 lm/W, daylight"},
+                                                            {"maximal", "683 lm/W, 555 nm"}}};
 };

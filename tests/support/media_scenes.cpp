@@ -1,16 +1,12 @@
 #include "support/media_scenes.h"
 
+#include "support/translation.h"
+
 namespace etendue::test {
 
 using render::Document;
 
 namespace {
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 // Moves a quad to p and turns it to face down.
 Mat4 above(const Vec3& p) {

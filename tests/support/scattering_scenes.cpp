@@ -1,17 +1,13 @@
 #include "support/scattering_scenes.h"
 
+#include "support/translation.h"
+
 namespace etendue::test {
 
 using render::Document;
 using scene::Transform;
 
 namespace {
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 void add_area_light(scene::Scene& scene, float half_size, float radiance, const Vec3& p) {
   Mat4 down = at(p);

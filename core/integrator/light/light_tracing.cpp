@@ -38,6 +38,7 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,
+        .starts_in_media = true,
         .ignores_portals = true,
     };
   }
@@ -49,10 +50,6 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, roulette_start); }
-
-  std::string incompatibility(const RenderContext& context) const override {
-    return incompatibility_with_endless_emission(context);
-  }
 
   template <class M>
   void connect_light_to_camera(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens,

@@ -36,6 +36,7 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,
+        .starts_in_media = true,
         .ignores_portals = true,
     };
   }
@@ -49,7 +50,7 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
   auto parameters() { return std::tie(max_depth, roulette_start); }
 
   std::string incompatibility(const RenderContext& context) const override {
-    if (context.camera->can_be_hit()) return incompatibility_with_endless_emission(context);
+    if (context.camera->can_be_hit()) return {};
     if (!context.camera->has_lens()) return "light paths cannot hit a pinhole camera: set camera.lens-radius above 0";
     return "light paths cannot hit this lens: use a perspective camera without a near plane";
   }

@@ -55,10 +55,10 @@ struct PathVertexData {
     Color transmittance{1};
   };
   // In models with scattering media also the probabilities that flights in each channel pass the edge, and the
-  // extinction coefficient at the vertex, 1/m; 1 on surfaces.
+  // coefficients at the vertex, 1/m; 1 on surfaces.
   struct ScatteringMedia : Media {
     Color survival{1};
-    Color extinction{1};
+    Color scattering{1}, extinction{1};
     bool in_volume = false;
   };
   [[no_unique_address]] std::conditional_t<M::kScattering, ScatteringMedia,

@@ -358,7 +358,7 @@ class PathSpace {
   static void leave_volume([[maybe_unused]] Vertex& x) {
     if constexpr (M::kScattering) {
       x.media.in_volume = x.point.in_volume = false;
-      x.media.extinction = Color(1);
+      x.media.scattering = x.media.extinction = Color(1);
     }
   }
   // Places a vertex at a collision in the medium that its interface states.
@@ -367,6 +367,7 @@ class PathSpace {
     transport::set_volume_point({position, scattering.phase, scattering.scattering}, x.traced_from, x.point);
     x.bsdf.set_volume(*scattering.phase);
     x.media.in_volume = true;
+    x.media.scattering = scattering.scattering;
     x.media.extinction = scattering.extinction;
   }
 
@@ -441,9 +442,7 @@ class PathSpace {
     } else {
       const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
-      if constexpr (M::kScattering)
-        if (x.media.in_volume)
-          f *= scattering_at(scene_->solids(), x.media.interface.side(true), x.point.position).scattering;
+      if constexpr (M::kScattering) f *= x.media.scattering;
       x.to_light = seen.pdf;
       x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }

@@ -12,7 +12,7 @@ struct VolumeScattering {
 inline VolumeScattering scattering_of(const HomogeneousMedium* medium, const HeterogeneousMedium* heterogeneous,
                                       const Vec3& position) {
   if (!heterogeneous) return {medium->phase.get(), medium->scattering, medium->extinction};
-  const float density = heterogeneous->grid->density(Vec3(heterogeneous->world_to_grid * Vec4(position, 1)));
+  const float density = heterogeneous->grid->density(heterogeneous->in_grid(position));
   return {heterogeneous->phase.get(), heterogeneous->scattering * density, heterogeneous->extinction * density};
 }
 

@@ -85,6 +85,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,
+        .starts_in_media = true,
     };
   }
 
@@ -158,10 +159,6 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
-
-  std::string incompatibility(const RenderContext& context) const override {
-    return incompatibility_with_endless_emission(context);
-  }
 
  private:
   transport::LobeSplit split() const { return transport::LobeSplit(roughness); }

@@ -65,6 +65,7 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,
+        .starts_in_media = true,
     };
   }
 
@@ -113,10 +114,6 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
-
-  std::string incompatibility(const RenderContext& context) const override {
-    return incompatibility_with_endless_emission(context);
-  }
 
   // `scattering`: the scene has media that scatter.
   PhotonPlan plan(int pixels, bool scattering) const {

@@ -17,13 +17,6 @@ inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buff
 // Where subpaths start: on lights, or also in media that emit.
 enum class LightPathStarts : uint8_t { on_lights, anywhere };
 
-// Why subpaths cannot start everywhere; empty if they can.
-inline std::string incompatibility_with_endless_emission(const RenderContext& context) {
-  const scene::AtmosphereMedium* atmosphere = context.scene->solids().atmosphere();
-  if (!atmosphere || !atmosphere->medium.emits() || !context.scene->atmosphere_is_unbounded()) return {};
-  return "the atmosphere emits light and has no end, so light paths cannot start in it: set atmosphere.radius";
-}
-
 template <class M>
 class LightSubpaths {
  public:

@@ -60,6 +60,7 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,
+        .starts_in_media = true,
     };
   }
 
@@ -106,10 +107,6 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
-
-  std::string incompatibility(const RenderContext& context) const override {
-    return incompatibility_with_endless_emission(context);
-  }
 
   VirtualLightPlan plan() const {
     VirtualLightPlan plan;

@@ -219,9 +219,12 @@ TEST_F(CliBench, ErrorsAreOneLine) {
 }
 
 TEST_F(CliBench, InterruptKeepsCompleteRepeats) {
+  // Interrupted after the first repeats, whenever they are complete.
+  const std::string progress = (folder_ / "progress.txt").string();
   const Outcome r =
-      run("bench cornell --size 32x32 --methods path --budget 0.2 --repeats 1000 --reference-time 0.2 "
-          "--out b & sleep 2; kill -INT $!; wait $!");
+      run("bench cornell --size 32x32 --methods path --budget 0.2 --repeats 1000 --reference-time 0.2 --out b 2> " +
+          progress + " & for i in $(seq 600); do grep -q 'repeat [2-9]' " + progress +
+          " && break; sleep 0.1; done; kill -INT $!; wait $!");
   EXPECT_EQ(r.code, 130);
   EXPECT_EQ(summary("b")["interrupted"], true);
   EXPECT_FALSE(summary("b")["methods"][0]["slope"].is_null());

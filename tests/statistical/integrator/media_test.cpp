@@ -13,22 +13,18 @@
 #include "support/media_scenes.h"
 #include "support/moving_scenes.h"
 #include "support/resume.h"
+#include "support/translation.h"
 
 namespace etendue {
 namespace {
 
 using render::Document;
+using test::at;
 using test::liquid;
 using test::with;
 using test::with_integrator;
 
 constexpr float kWater = 1.33f, kGlass = 1.5f, kDense = 1.8f;
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 // Adds a plate of radiance 10 that faces up, `depth` metres below the origin.
 void add_plate(scene::Scene& scene, float depth, float half_size = 1) {

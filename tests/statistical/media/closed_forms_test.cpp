@@ -13,11 +13,13 @@
 #include "stress/test_context.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
+#include "support/translation.h"
 
 namespace etendue {
 namespace {
 
 using render::Document;
+using test::at;
 using test::expect_radiance;
 using test::medium;
 using test::medium_boundary;
@@ -28,12 +30,6 @@ using test::with_integrator;
 constexpr const char* kIntegrators[] = {"path", "path-pure"};
 // Those that sample the paths of a uniform sky with little noise.
 constexpr const char* kFurnaceIntegrators[] = {"path", "path-pure", "distribution", "bdpt"};
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 // A camera whose pixels all see in one direction.
 Document narrow_view(scene::Scene scene, const Vec3& eye, const Vec3& target, const Vec3& up = {0, 1, 0}) {

@@ -12,22 +12,18 @@
 #include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
+#include "support/translation.h"
 
 namespace etendue::media_emission {
 namespace {
 
 using render::Document;
+using test::at;
 using test::expect_radiance;
 using test::medium;
 using test::medium_boundary;
 using test::with;
 using test::with_integrator;
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 MediumDescription emitting_medium(const Rgb& scattering, const Rgb& absorption, const Rgb& emission,
                                   const char* density = "") {

@@ -12,12 +12,14 @@
 #include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
+#include "support/translation.h"
 #include "transport/model.h"
 
 namespace etendue::heterogeneous {
 namespace {
 
 using render::Document;
+using test::at;
 using test::expect_radiance;
 using test::medium;
 using test::medium_boundary;
@@ -25,12 +27,6 @@ using test::with;
 using test::with_integrator;
 
 constexpr const char* kIntegrators[] = {"path", "path-pure"};
-
-Mat4 moved_to(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 MediumDescription with_density(MediumDescription m, const char* name, const std::vector<Setting>& settings = {}) {
   m.density.field = *make_density(name, settings);
@@ -53,7 +49,7 @@ Document narrow(scene::Scene scene, const Vec3& eye, const Vec3& target) {
 scene::Scene plate_below(const MediumDescription& m) {
   scene::Scene scene;
   add(scene, scene::box({2, 1, 2}), medium_boundary(m));
-  add(scene, test::quad(1.5f), test::diffuse(Rgb(0), Rgb(10)), moved_to({0, -1.5f, 0}));
+  add(scene, test::quad(1.5f), test::diffuse(Rgb(0), Rgb(10)), at({0, -1.5f, 0}));
   return scene;
 }
 
@@ -112,7 +108,7 @@ TEST(Heterogeneous, WhiteFurnace) {
     const MediumDescription m = with_density(medium({6, 1, 0.3f}, Rgb(0), 0.7f), density);
     scene::Scene scene;
     add(scene, scene::box(Vec3(1)), medium_boundary(m));
-    add(scene, test::sphere(0.5f, 16, false), test::turbid_liquid(1.5f, m), moved_to({2, 0, 0}));
+    add(scene, test::sphere(0.5f, 16, false), test::turbid_liquid(1.5f, m), at({2, 0, 0}));
     scene.environment.tint = Rgb(1);
     const std::pair<const char*, Document> views[] = {
         {"from outside", narrow(scene, {0.1f, 0.2f, 3}, {0.1f, 0.1f, 0})},
@@ -138,7 +134,7 @@ TEST(Heterogeneous, AtmosphereInAWhiteFurnace) {
 
 Document scene_with(const MediumDescription& m) {
   scene::Scene scene = test::balls();
-  add(scene, scene::box({1.5f, 1, 1.5f}), medium_boundary(m), moved_to({0, 1.1f, 0}));
+  add(scene, scene::box({1.5f, 1, 1.5f}), medium_boundary(m), at({0, 1.1f, 0}));
   scene.environment.tint = {0.5f, 0.7f, 1};
   return test::view_from_above(std::move(scene));
 }

@@ -13,21 +13,17 @@
 #include "support/integrator_scenes.h"
 #include "support/resume.h"
 #include "support/scattering_scenes.h"
+#include "support/translation.h"
 
 namespace etendue::media_light_paths {
 namespace {
 
 using render::Document;
+using test::at;
 using test::medium;
 using test::medium_boundary;
 using test::with;
 using test::with_integrator;
-
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
 
 // An integrator with changed parameters, and its number of samples relative to `path`.
 struct Form {

@@ -17,6 +17,7 @@
 #include "support/independent_estimates.h"
 #include "support/integrator_scenes.h"
 #include "support/scattering_scenes.h"
+#include "support/translation.h"
 
 namespace etendue {
 namespace {
@@ -63,10 +64,18 @@ TEST(SpectralMedia, EqualRgbWithoutColor) {
 
 // ---- Beer's law.
 
-// The linear sRGB value of a spectrum relative to D65.
+// The linear sRGB value of a spectrum relative to D65, by quadrature with steps of half a nanometre: measured spectra
+// have steep edges.
 Rgb rgb_of_wavelengths(const std::function<double(float)>& spectrum) {
-  const auto rgb = relative_rgb_of([&](double w) { return spectrum(static_cast<float>(w)); });
-  return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+  constexpr int kSteps = 800;
+  Rgb sum(0);
+  for (int i = 0; i < kSteps; ++i) {
+    const double nm = 380 + 400 * (i + 0.5) / kSteps;
+    const auto weights = relative_rgb_weights(nm);
+    const double value = spectrum(static_cast<float>(nm)) * 400 / kSteps;
+    for (int c = 0; c < 3; ++c) sum[c] += static_cast<float>(value * weights[static_cast<size_t>(c)]);
+  }
+  return sum;
 }
 
 SampledSpectrum at_one_wavelength(const AbsorptionSpectrum& spectrum, float nm) {
@@ -94,19 +103,6 @@ TEST(SpectralMedia, AbsorbByBeersLawAtEachWavelength) {
   }
 }
 
-// The same, by quadrature with steps of half a nanometre: measured spectra have steep edges.
-Rgb fine_rgb_of_wavelengths(const std::function<double(float)>& spectrum) {
-  constexpr int kSteps = 800;
-  Rgb sum(0);
-  for (int i = 0; i < kSteps; ++i) {
-    const double nm = 380 + 400 * (i + 0.5) / kSteps;
-    const auto weights = relative_rgb_weights(nm);
-    const double value = spectrum(static_cast<float>(nm)) * 400 / kSteps;
-    for (int c = 0; c < 3; ++c) sum[c] += static_cast<float>(value * weights[static_cast<size_t>(c)]);
-  }
-  return sum;
-}
-
 // White light behind two metres of water with its measured absorption, as an atmosphere.
 TEST(SpectralMedia, AbsorbByMeasuredCoefficients) {
   const auto water = find_coefficient_spectrum(Coefficient::absorption, "pure-water");
@@ -116,8 +112,7 @@ TEST(SpectralMedia, AbsorbByMeasuredCoefficients) {
   scene.atmosphere.radius = 20;
   add(scene, test::quad(5), test::diffuse(Rgb(0), Rgb(1)));
   const Document d = small_view(std::move(scene), {0.01f, 2, 0.02f}, {0.01f, 0, 0.02f});
-  const Rgb expected =
-      fine_rgb_of_wavelengths([&](float nm) { return std::exp(-2 * double{water->spectrum->at(nm)}); });
+  const Rgb expected = rgb_of_wavelengths([&](float nm) { return std::exp(-2 * double{water->spectrum->at(nm)}); });
   for (const char* integrator : kSpectralIntegrators)
     expect_radiance(with_integrator(d, integrator), 2048, expected, 0.01, integrator);
   const auto compiled = scene::compile(d.scene, d.camera, nullptr);
@@ -221,11 +216,9 @@ TEST(SpectralMedia, EmitAsBlackBodies) {
 
 // A white floor below gas that emits; nothing else does.
 Document floor_below(const MediumDescription& gas) {
-  Mat4 above(1);
-  above[3] = Vec4(0, 2, 0, 1);
   scene::Scene scene;
   add(scene, test::quad(8), test::diffuse(Rgb(0.8f, 0.5f, 0.3f)));
-  add(scene, scene::box(Vec3(0.5f)), medium_boundary(gas), above);
+  add(scene, scene::box(Vec3(0.5f)), medium_boundary(gas), test::at({0, 2, 0}));
   return in_spectra(small_view(std::move(scene), {0.5f, 2, 6}, {0, 0, 0}));
 }
 

@@ -3,15 +3,12 @@
 
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
+#include "support/translation.h"
 
 namespace etendue::scene {
 namespace {
 
-Mat4 at(const Vec3& p) {
-  Mat4 m(1);
-  m[3] = Vec4(p, 1);
-  return m;
-}
+using test::at;
 
 Material tinted(float ior) {
   Material m = glass(ior);

@@ -24,18 +24,19 @@ void put_sky(Json& to, const Sky& sky) {
   if (!sky.sun_disk) to["sunDisk"] = false;
 }
 
-// The spectrum of an emitter. Files are relative to the folder.
+// A spectrum by name. Files are relative to the folder.
+template <class T>
+void put_spectrum(Json& to, const char* member, const NamedSpectrum<T>& spectrum, bool is_file,
+                  const std::filesystem::path& folder) {
+  if (spectrum) to[member] = is_file ? uri_of(spectrum.name, folder) : spectrum.name;
+}
 void put_spectrum(Json& to, const char* member, const EmissionSpectrumRef& spectrum,
                   const std::filesystem::path& folder) {
-  if (!spectrum) return;
-  to[member] = names_spectrum_file(spectrum.name) ? uri_of(spectrum.name, folder) : spectrum.name;
+  put_spectrum(to, member, spectrum, names_spectrum_file(spectrum.name), folder);
 }
-
-// The spectrum of a coefficient of a medium, likewise.
 void put_spectrum(Json& to, const char* member, const CoefficientSpectrumRef& spectrum,
                   const std::filesystem::path& folder) {
-  if (!spectrum) return;
-  to[member] = names_coefficient_file(spectrum.name) ? uri_of(spectrum.name, folder) : spectrum.name;
+  put_spectrum(to, member, spectrum, names_coefficient_file(spectrum.name), folder);
 }
 
 Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
