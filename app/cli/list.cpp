@@ -18,7 +18,7 @@
 #include "scene_options.h"
 #include "section_infos.h"
 #include "spectrum/refractive_index.h"
-#include "spectrum/spectrum.h"
+#include "spectrum/spectrum_names.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
