@@ -33,7 +33,8 @@ namespace etendue::experiments {
 // Error over work, drawn by the chart that also shows the error of renderings. The work is stored in ErrorPoint::spp.
 struct ErrorChart {
   std::string title;
-  std::string work;  // what is counted: "evaluations", "paths"
+  std::string work;            // what is counted: "evaluations", "paths"
+  std::string error = "RMSE";  // which error is drawn
   std::vector<metrics::MethodCurves> curves;
 };
 

@@ -75,7 +75,7 @@ json chart_json(const Chart& chart) {
         json j{{"title", c.title}, {"curves", curves}};
         if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ErrorChart>) {
           j["x"] = c.work;
-          j["y"] = "error";
+          j["y"] = c.error;
         } else {
           j["x"] = c.x_label;
           j["y"] = c.y_label;
@@ -159,6 +159,7 @@ metrics::Drawing drawing_of(const Chart& chart, const metrics::ChartOptions& opt
   error_options.title = error.title;
   error_options.abscissa = metrics::Abscissa::samples;
   error_options.work_label = error.work;
+  error_options.error_label = error.error;
   return metrics::convergence_chart(error.curves, error_options);
 }
 
@@ -195,8 +196,8 @@ std::string to_csv(const ExperimentResult& result) {
   return text;
 }
 
-std::string cell_text(const Table::Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return std::isnan(*number) ? "-" : format_number(*number, 6);
+std::string cell_text(const Table::Cell& cell, int digits) {
+  if (const auto* number = std::get_if<double>(&cell)) return std::isnan(*number) ? "-" : format_number(*number, digits);
   return std::get<std::string>(cell);
 }
 

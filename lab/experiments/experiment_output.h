@@ -19,8 +19,8 @@ std::string to_csv(const ExperimentResult& result);
 // Table, checks and notes for a terminal.
 std::string to_text(const ExperimentResult& result);
 
-// A number or a text of the table.
-std::string cell_text(const Table::Cell& cell);
+// A number with this many significant digits, or a text of the table.
+std::string cell_text(const Table::Cell& cell, int digits = 6);
 
 // Writes .csv, .json, .png or .svg, by the extension of the file. A usage error names the extensions.
 Result<void> write_result(const std::string& file, const ExperimentResult& result);

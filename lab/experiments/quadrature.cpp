@@ -50,7 +50,7 @@ constexpr TensorRule kTensorRules[] = {
 struct Quadrature {
   static constexpr ExperimentDescription kDescription{
       .name = "quadrature",
-      .label = "Quadrature and the curse of dimensionality",
+      .label = "Quadrature",
       .summary =
           "The error of tensor product rules, random points and quasi-random points over the number of evaluations",
       .source = "[Lang, sec. 6.1-6.2, eq. 6.21, 6.23, 6.30]"};

@@ -5,8 +5,8 @@
 //   unbiased  F_N = (1/N) sum of w(X_i) f(X_i)
 //
 // The pixel is [0, 1], the filter the tent w(x) = 2 (1 - |2x - 1|). For f = x^2 the integral of w f is 7/24. The ratio has
-// the mean 1/3 for N = 1, whatever the filter is, and the bias 1/(45 N) for large N, so that its error is soon dominated
-// by its variance. In an image of one value the ratio has no error, and the unbiased estimator has the variance 1/(3N).
+// the mean 1/3 for N = 1, whatever the filter is. For large N its bias is 1/(45 N), so that its variance soon dominates
+// its error. In an image of one value the ratio has no error, and the unbiased estimator has the variance 1/(3N).
 #include <cmath>
 
 #include "equations/random_numbers.h"

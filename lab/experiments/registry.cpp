@@ -9,7 +9,14 @@
   ENTRY(estimators)                \
   ENTRY(error_bounds)              \
   ENTRY(ratio_estimator)           \
-  ENTRY(lebesgue_sums)
+  ENTRY(lebesgue_sums)             \
+  ENTRY(sampling)                  \
+  ENTRY(markov)                    \
+  ENTRY(fredholm)                  \
+  ENTRY(iterations)                \
+  ENTRY(random_walks)              \
+  ENTRY(variance_reduction)        \
+  ENTRY(mis)
 // clang-format on
 
 namespace etendue::experiments {

@@ -145,7 +145,7 @@ class Chart {
     drawing_.shapes.push_back(
         Polyline{.points = {{margins_.left, margins_.top}, {margins_.left, bottom()}, {right(), bottom()}},
                  .color = options_.palette.text});
-    const std::string kind = film::measure_label(options_.measure);
+    const std::string kind = error_label();
     const std::string x_label = options_.abscissa == Abscissa::seconds ? "seconds"
                                 : options_.work_label.empty()          ? "samples per pixel"
                                                                        : options_.work_label;
@@ -199,8 +199,12 @@ class Chart {
     const std::string unit = options_.abscissa == Abscissa::seconds ? " s"
                              : options_.work_label.empty()          ? " spp"
                                                                     : " " + options_.work_label;
-    return methods_[i].name + "\n" + short_number(p.x) + unit + "\n" + film::measure_label(options_.measure) + " " +
+    return methods_[i].name + "\n" + short_number(p.x) + unit + "\n" + error_label() + " " +
            error_number(p.median) + " (" + error_number(p.low) + " to " + error_number(p.high) + ")";
+  }
+
+  std::string error_label() const {
+    return options_.error_label.empty() ? film::measure_label(options_.measure) : options_.error_label;
   }
 
   std::string error_number(double error) const {

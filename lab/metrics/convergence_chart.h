@@ -26,7 +26,8 @@ struct ChartOptions {
   bool embedded = false;
   // What `ErrorPoint::spp` counts, if it is not samples per pixel: "evaluations".
   std::string work_label = {};
-  double x_extent = 0;  // minimum end of the abscissa, so that growing curves do not rescale it
+  std::string error_label = {};  // empty: the label of the measure
+  double x_extent = 0;           // minimum end of the abscissa, so that growing curves do not rescale it
   ChartPalette palette = {};
 };
 
