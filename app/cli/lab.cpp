@@ -69,7 +69,9 @@ int run_lab(const LabArguments& a) {
     return fail(usage_error("there is no experiment '" + a.experiment + "'; give one of " + experiment_names()));
   const auto settings = parse_settings(*experiment, a.settings);
   if (!settings) return fail(settings.error());
-  const auto result = experiment->run(*settings, {.seed = a.seed});
+  const std::atomic<bool>& interrupted = watch_interrupts();
+  const auto result =
+      experiment->run(*settings, {.seed = a.seed, .progress = [&](double) { return !interrupted; }, .publish = {}});
   if (!result) return fail(result.error());
   if (!a.out.empty())
     if (const auto written = experiments::write_result(a.out, *result); !written) return fail(written.error());

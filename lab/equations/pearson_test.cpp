@@ -1,5 +1,6 @@
 #include "equations/pearson_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
 

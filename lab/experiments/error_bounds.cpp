@@ -6,6 +6,7 @@
 // Chebyshev's bound holds for every N and every integrand of finite variance, and is far from sharp. The normal
 // distribution is a limit: for the integrand `rare`, which is 1 with probability 1/1000, it is wrong as long as the
 // samples contain few ones.
+#include <algorithm>
 #include <cmath>
 
 #include "equations/random_numbers.h"

@@ -197,7 +197,8 @@ std::string to_csv(const ExperimentResult& result) {
 }
 
 std::string cell_text(const Table::Cell& cell, int digits) {
-  if (const auto* number = std::get_if<double>(&cell)) return std::isnan(*number) ? "-" : format_number(*number, digits);
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isnan(*number) ? "-" : format_number(*number, digits);
   return std::get<std::string>(cell);
 }
 

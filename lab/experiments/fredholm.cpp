@@ -13,6 +13,7 @@
 // Linear systems are solved directly. A kernel with the eigenvalue 1 makes them singular. The direct solution also exists
 // where the Neumann series diverges: with the kernel ln(xy) the spectral radius is 1 + sqrt(2). The logarithm is singular at
 // 0, which lowers the orders.
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/equation_examples.h"

@@ -55,6 +55,7 @@ IterationHistory iterate(const LinearSystem& system, const std::vector<double>& 
   IterationHistory history;
   const double first =
       std::max(equations::residual_norm(system, y), equations::residual_norm(system, std::vector<double>(y.size())));
+  if (first == 0) return {.errors = {{0, 0}}, .state = "no source at the nodes"};
   for (int n = 0; n <= steps; ++n) {
     history.errors.push_back({static_cast<double>(n), largest_difference(y, solution)});
     const double residual = equations::residual_norm(system, y);
@@ -153,7 +154,7 @@ struct Iterations {
     metrics::FunctionCurve curve{.name = name, .points = history.errors};
     result.table.rows.push_back({name, radius, history.errors.back().x, history.errors.back().y, history.state});
     // Whether the iteration diverges is what its spectral radius predicts.
-    if (history.state != "not converged")
+    if (history.state == "converged" || history.diverged)
       result.checks.push_back({name + ": diverges", history.diverged ? 1.0 : 0.0, radius > 1 ? 1.0 : 0.0, 0});
     chart.curves.push_back(std::move(curve));
   }

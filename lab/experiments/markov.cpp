@@ -14,6 +14,7 @@
 //   ring     Metropolis sampling of (1, 2, 3, 4)/10 on a ring of four states
 //   swap     two states that alternate: periodic, so that p_n does not converge although the frequencies do
 //   stay     two states that never change: the stationary distribution is not unique, an error
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Mean and variance of independent values, with their standard errors.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -19,6 +19,7 @@
 // which give the variances in the table. If the spectral radius of that kernel is 1 or more, the variance is infinite: for
 // a constant kernel if alpha <= lambda^2. If the spectral radius of |k| is 1 or more, the mean does not exist, and the
 // experiment refuses the equation.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>

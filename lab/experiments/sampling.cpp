@@ -12,6 +12,8 @@
 // (`thinning`). With a small `step` the chain moves too little between two counts, or does not cross the gap between
 // two peaks, and the p value becomes zero.
 //
+// A second chart shows the first samples of a density in two dimensions.
+//
 // In theory, the share of accepted proposals of a stationary chain is the integral of min(p(x), p(x')) over x and over x'
 // in the square around x, divided by the area of the square. The value in the table is computed with quasi-random points.
 #include <optional>
@@ -40,35 +42,51 @@ namespace etendue::experiments {
 namespace {
 
 constexpr int kBins1D = 50, kBins2D = 16;  // per axis
+constexpr size_t kShownPoints = 1000;      // of a density in two dimensions
 constexpr int kBatches = 32;               // of proposals, for the standard error of the acceptance rate
 
 // Counts of samples in cells of equal size, and the integrals of the density over them.
 class DensityHistogram {
  public:
   explicit DensityHistogram(const SampledDensity& density)
-      : density_(density), bins_(density.dimension == 1 ? kBins1D : kBins2D), counts_(cells(), 0.0) {}
+      : density_(density),
+        bins_(density.dimension == 1 ? kBins1D : kBins2D),
+        masses_(masses()),
+        counts_(cells(), 0.0) {}
 
   void add(const SampledPoint& x) {
     counts_[index(x[0]) + (density_.dimension == 1 ? 0 : static_cast<size_t>(bins_) * index(x[1]))] += 1;
     ++samples_;
+    if (shown_.size() < kShownPoints) shown_.push_back({x[0], x[1]});
+  }
+
+  // The histogram, and the first points in two dimensions.
+  std::vector<experiments::Chart> charts() const {
+    if (density_.dimension == 1) return {histogram_chart()};
+    return {
+        histogram_chart(),
+        metrics::FunctionChart{.title = "First samples",
+                               .x_label = "x",
+                               .y_label = "y",
+                               .curves = {{.name = "samples", .style = metrics::CurveStyle::dots, .points = shown_}}}};
   }
 
   equations::ChiSquareTest test() const {
-    std::vector<double> expected = masses();
+    std::vector<double> expected = masses_;
     for (double& e : expected) e *= samples_;
     return equations::chi_square_test(counts_, expected);
   }
 
+ private:
   // The density along the first axis, averaged over the second one.
-  metrics::FunctionChart chart() const {
+  metrics::FunctionChart histogram_chart() const {
     metrics::FunctionCurve bars{.name = "histogram", .style = metrics::CurveStyle::bars, .points = {}};
     metrics::FunctionCurve theory{.name = "density", .points = {}};
-    const std::vector<double> mass = masses();
     for (int i = 0; i < bins_; ++i) {
       double count = 0, expected = 0;
       for (size_t c = static_cast<size_t>(i); c < counts_.size(); c += static_cast<size_t>(bins_)) {
         count += counts_[c];
-        expected += mass[c];
+        expected += masses_[c];
       }
       bars.points.push_back({static_cast<double>(i) / bins_, samples_ > 0 ? count / samples_ * bins_ : 0});
       theory.points.push_back({(i + 0.5) / bins_, expected * bins_});
@@ -80,7 +98,6 @@ class DensityHistogram {
             .curves = {bars, theory}};
   }
 
- private:
   size_t cells() const { return static_cast<size_t>(density_.dimension == 1 ? bins_ : bins_ * bins_); }
   size_t index(double x) const { return static_cast<size_t>(std::clamp(static_cast<int>(x * bins_), 0, bins_ - 1)); }
 
@@ -104,8 +121,10 @@ class DensityHistogram {
 
   const SampledDensity& density_;
   int bins_;
+  std::vector<double> masses_;  // integrals of the density over the cells
   std::vector<double> counts_;
   double samples_ = 0;
+  std::vector<metrics::Point> shown_;
 };
 
 // Shares of accepted proposals, in batches.
@@ -152,13 +171,13 @@ struct Sampling {
                                                                       : d.bound * samples);
     auto sample = make_sampler_of(d, context.seed, acceptance);
     if (!sample) return sample.error();
-    const int stages = 32;
-    for (int i = 0, next = 1; i < samples; ++i) {
+    constexpr int kPublications = 32, kProgressInterval = 256;
+    for (int i = 0; i < samples; ++i) {
+      if (i % kProgressInterval == 0 && !context.proceed(static_cast<double>(i) / samples)) return interrupted();
       histogram.add((*sample)());
-      if (i + 1.0 < static_cast<double>(samples) * next / stages) continue;
-      ++next;
-      if (!context.proceed(static_cast<double>(i) / samples)) return interrupted();
-      if (context.publish) context.publish({.charts = {histogram.chart()}, .table = {}, .checks = {}, .notes = {}});
+      const bool publishes = int64_t{i + 1} * kPublications / samples > int64_t{i} * kPublications / samples;
+      if (publishes && context.publish)
+        context.publish({.charts = histogram.charts(), .table = {}, .checks = {}, .notes = {}});
     }
     return summary(d, histogram, acceptance);
   }
@@ -234,7 +253,7 @@ struct Sampling {
   ExperimentResult summary(const SampledDensity& d, const DensityHistogram& histogram,
                            const AcceptanceCounter& acceptance) const {
     ExperimentResult result;
-    result.charts = {histogram.chart()};
+    result.charts = histogram.charts();
     const auto test = histogram.test();
     result.table.columns = {"quantity", "value"};
     result.table.rows = {{"chi-square", test.statistic},
