@@ -98,7 +98,7 @@ inline SampledDensity disk_density() {
               }};
 }
 
-// p = 2 x 3 y^2, a product of marginals [Lang, eq. 6.278, corrected]
+// p = 2 x 3 y^2, a product of marginals [Lang, eq. 6.279-6.285, corrected]
 inline SampledDensity product_density() {
   return {.dimension = 2,
           .pdf = [](SampledPoint x) { return 6 * x[0] * x[1] * x[1]; },

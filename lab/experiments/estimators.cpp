@@ -1,4 +1,4 @@
-// Primary and secondary estimators of the integral of cos over [0, pi/2], with three densities [Lang, eq. 6.115-6.119]
+// Estimators of the integral of cos over [0, pi/2] with three densities [Lang, eq. 6.115-6.119, corrected]
 //
 //   F_N = (1/N) sum of cos(X_i) / p(X_i)
 //

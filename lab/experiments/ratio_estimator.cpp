@@ -1,5 +1,5 @@
 // A biased but consistent estimator: the mean of a pixel with the weights of its filter normalised by their sum
-// [Lang, eq. 6.151, corrected]
+// [Lang, eq. 6.151-6.156, corrected]
 //
 //   ratio     F_N = sum of w(X_i) f(X_i) / sum of w(X_i)       X uniform in the pixel
 //   unbiased  F_N = (1/N) sum of w(X_i) f(X_i)
