@@ -15,6 +15,7 @@
   ENTRY(fredholm)                  \
   ENTRY(iterations)                \
   ENTRY(random_walks)              \
+  ENTRY(linear_walks)              \
   ENTRY(variance_reduction)        \
   ENTRY(mis)
 // clang-format on

@@ -215,6 +215,27 @@ TEST(RandomWalks, AllEquationsHaveTheirVariances) {
     expect_checks(run("random-walks", {{"equation", equation}}), equation);
 }
 
+TEST(LinearWalks, MeansAreTheTermsOfTheSeries) {
+  const std::pair<size_t, double> sums[] = {{0, 1},      {1, 1.5},     {2, 1.77},      {3, 1.915},
+                                            {4, 1.9929}, {5, 2.03475}, {8, 2.07580041}};
+  const auto result = run("linear-walks");
+  expect_checks(result, "two");
+  for (const auto& [steps, sum] : sums) EXPECT_NEAR(std::get<double>(result.table.rows[steps][3]), sum, 1e-8) << steps;
+  EXPECT_NEAR(std::get<double>(result.table.rows[8][3]) - std::get<double>(result.table.rows[8][4]), 25.0 / 12, 1e-12);
+  for (const char* reflectance : {"0", "0.5", "0.75"}) {
+    const auto furnace =
+        run("linear-walks", {{"system", "furnace"}, {"reflectance", reflectance}, {"length", "200"}, {"paths", "256"}});
+    expect_checks(furnace, reflectance);
+    EXPECT_NEAR(std::get<double>(furnace.table.rows[200][1]), 1 / (1 - std::stod(reflectance)), 1e-6);
+  }
+}
+
+TEST(LinearWalks, DivergentSystemsAreRefused) {
+  const auto result = find_experiment("linear-walks")->run({{"system", std::string("divergent")}}, {});
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("the spectral radius of A is 2.45"), std::string::npos);
+}
+
 TEST(VarianceReduction, EveryTechniqueHelpsAndHurts) {
   const auto result = run("variance-reduction", {{"samples", "256"}});
   ASSERT_EQ(result.table.rows.size(), 16u);
