@@ -126,7 +126,7 @@ struct Quadrature {
     }
     std::optional<Error> failure;
     const auto errors = [&](int repeat, std::span<double> out) {
-      RandomNumbers random(context.seed + static_cast<uint64_t>(repeat));
+      RandomNumbers random(mix_bits(context.seed) + static_cast<uint64_t>(repeat));
       const TestIntegrand f = make_integrand(integrand, dimension, random);
       for (size_t k = 0; k < rules.size() && !failure; ++k) {
         const auto sum = equations::integrate(rules[k], dimension, f.value);
@@ -169,7 +169,7 @@ struct Quadrature {
     std::vector<double> x(static_cast<size_t>(dimension.value));
     std::optional<Error> failure;
     const auto errors = [&](int repeat, std::span<double> out) {
-      RandomNumbers random(context.seed + static_cast<uint64_t>(repeat));
+      RandomNumbers random(mix_bits(context.seed) + static_cast<uint64_t>(repeat));
       const TestIntegrand f = make_integrand(integrand, dimension, random);
       const uint32_t seed = hash_combine(static_cast<uint32_t>(context.seed), static_cast<uint32_t>(repeat));
       double sum = 0;
