@@ -24,6 +24,7 @@
   ENTRY(list)                   \
   ENTRY(manual)                 \
   ENTRY(stress)                 \
+  ENTRY(lab)                    \
   ENTRY(completion)             \
   ENTRY(view)
 // clang-format on
