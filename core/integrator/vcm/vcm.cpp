@@ -1,4 +1,4 @@
-// Vertex connection and merging                                 [Georgiev et al. 2012; Hachisuka et al. 2012; Lang, ch. 9]
+// Vertex connection and merging                                 [Georgiev et al. 2012; Lang, sec. 9.3, 9.5]
 //
 // Bidirectional path tracing and progressive photon mapping as techniques of one estimator. Camera subpaths are
 // connected with the light subpath of their pixel, as in `bdpt`, and merged with the vertices of the light subpaths of
