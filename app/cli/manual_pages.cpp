@@ -117,6 +117,12 @@ std::string stress_case_list(const SourceFiles& sources, const integrator::Integ
   return text.empty() ? "" : "## Stability cases\n\n" + text + "\n";
 }
 
+// How a rendering divides into parts that etendue merge joins.
+std::string division_text(const integrator::Division& division) {
+  if (division.unit == integrator::DivisionUnit::none) return "nothing. " + division.reason;
+  return (division.regions ? "samples and regions. " : "samples. ") + division.reason;
+}
+
 ManualPage integrator_page(const SourceFiles& sources, const integrator::IntegratorInfo& info) {
   const HeadComment head = sources.head_comment(info.file);
   PropertyTable properties;
@@ -128,6 +134,7 @@ ManualPage integrator_page(const SourceFiles& sources, const integrator::Integra
   properties.add("Bias", std::string(integrator::bias_name(info.bias)));
   properties.add("Cost", markdown_prose(info.cost, kReferences));
   properties.add("Known limitations", markdown_prose(info.limitations, kReferences));
+  properties.add("Divides into", division_text(info.division));
   return {"integrators/" + info.name + ".md", title(info.label, info.summary) +
                                                   image("integrator", info.name, info.label) + properties.text() +
                                                   "## Method\n\n" + head.markdown + parameter_table(info.parameters) +
@@ -323,11 +330,15 @@ struct Chapter {
   const char* folder;
   const char* label;
 };
-constexpr Chapter kChapters[] = {{"integrators", "Integrators"},   {"samplers", "Samplers"},
-                                 {"surfaces", "Surfaces"},         {"phase-functions", "Phase functions"},
+constexpr Chapter kChapters[] = {{"integrators", "Integrators"},
+                                 {"samplers", "Samplers"},
+                                 {"surfaces", "Surfaces"},
+                                 {"phase-functions", "Phase functions"},
                                  {"densities", "Densities of media"},
-                                 {"lights", "Lights"},             {"environments", "Environments"},
-                                 {"cameras", "Cameras"},           {"scenes", "Built-in scenes"},
+                                 {"lights", "Lights"},
+                                 {"environments", "Environments"},
+                                 {"cameras", "Cameras"},
+                                 {"scenes", "Built-in scenes"},
                                  {"stress", "Stability cases"}};
 
 // The title of a page and the paragraph below it.

@@ -44,6 +44,11 @@ std::string_view bias_name(Bias bias) {
   return bias == Bias::unbiased ? "unbiased" : bias == Bias::consistent ? "consistent" : "biased";
 }
 
+std::string_view division_name(DivisionUnit unit) {
+  constexpr std::array<std::string_view, 3> kNames{"samples", "passes", "none"};
+  return kNames[static_cast<size_t>(unit)];
+}
+
 std::optional<uint64_t> RenderState::run(uint32_t, size_t, int, const TaskContext&) { return 0; }
 std::optional<uint64_t> RenderState::sample(const PixelBlock&, std::span<Rgb>, const TaskContext&) { return 0; }
 

@@ -38,7 +38,7 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   document_ = std::move(document);
   scene_ = std::move(scene);
   film_is_stale_ = !start;
-  if (start) film_.resume(document_, std::move(start->film));
+  if (start) film_.resume(document_, std::move(start->film), start->tails);
   // The new renderer may reuse data of the old one, which is destroyed afterwards.
   renderer_ = std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get());
   counters_.rays = 0;
@@ -217,6 +217,10 @@ film::Film ProgressiveRender::film_copy() const {
 ResumePoint ProgressiveRender::resume_point() const {
   if (film_is_stale_ || !renderer_) return film_copy();
   return {film_.film(), renderer_->integrator_state()};
+}
+
+std::vector<film::TailState> ProgressiveRender::tail_states() const {
+  return film_is_stale_ ? std::vector<film::TailState>() : film_.tails().states();
 }
 
 std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {
