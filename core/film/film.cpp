@@ -26,16 +26,18 @@ uint32_t Film::samples(int x, int y) const {
   return p.count[0] + p.count[1];
 }
 
-Rgb Film::mean(int x, int y) const {
-  const Pixel& p = at(x, y);
+Rgb Film::mean(const Pixel& p, const Sums& sum) const {
   const uint32_t n = p.count[0] + p.count[1];
   if (n == 0) return Rgb(0);
   const bool equal = has_equal_weights(p);
-  Sums buffer;
-  const Sums& sum = sums(x, y, buffer);
   const double a = equal ? 0.5 / p.count[0] : 1.0 / n, b = equal ? 0.5 / p.count[1] : a;
   const auto channel = [&](size_t c) { return static_cast<float>(sum[0][c] * a + sum[1][c] * b); };
   return {channel(0), channel(1), channel(2)};
+}
+
+Rgb Film::mean(int x, int y) const {
+  Sums buffer;
+  return mean(at(x, y), sums(x, y, buffer));
 }
 
 Rgb Film::half_buffer_mean(int x, int y, uint32_t half_buffer) const {
@@ -47,21 +49,23 @@ Rgb Film::half_buffer_mean(int x, int y, uint32_t half_buffer) const {
   return {channel(0), channel(1), channel(2)};
 }
 
-Rgb Film::variance_of_mean(int x, int y) const {
-  const Pixel& p = at(x, y);
+Rgb Film::variance_of_mean(const Pixel& p, const Sums& sum) const {
   if (p.count[0] == 0 || p.count[1] == 0) return Rgb(0);
   // The mean is w A + (1-w) B. If the variances of the half-buffers fall as 1/n, (A - B)^2 has the expectation
   // s^2 (1/nA + 1/nB), and the mean has the variance s^2 / n where w = nA/n. Where w = 1/2, it has a quarter of that of
   // the difference whatever the variances are.
   const double n = p.count[0] + p.count[1];
   const double scale = has_equal_weights(p) ? 0.25 : p.count[0] * (p.count[1] / (n * n));
-  Sums buffer;
-  const Sums& sum = sums(x, y, buffer);
   const auto channel = [&](size_t c) {
     const double d = sum[0][c] / p.count[0] - sum[1][c] / p.count[1];
     return static_cast<float>(d * d * scale);
   };
   return {channel(0), channel(1), channel(2)};
+}
+
+Rgb Film::variance_of_mean(int x, int y) const {
+  Sums buffer;
+  return variance_of_mean(at(x, y), sums(x, y, buffer));
 }
 
 ErrorEstimate Film::error() const {
@@ -76,7 +80,9 @@ RowError Film::error_of_row(int y) const {
   for (int x = 0; x < width_; ++x) {
     const Pixel& p = at(x, y);
     if (p.count[0] == 0 || p.count[1] == 0) return {.absolute = {}, .known = false};
-    const Rgb v = variance_of_mean(x, y), m = mean(x, y);
+    Sums buffer;
+    const Sums& sum = sums(x, y, buffer);
+    const Rgb v = variance_of_mean(p, sum), m = mean(p, sum);
     double squares = 0;
     for (int c = 0; c < 3; ++c) squares += v[c], row.relative += v[c] / (sqr(double{m[c]}) + 0.01);
     absolute.add(squares);

@@ -22,14 +22,13 @@
 #include "base/error_free.h"
 #include "base/vec.h"
 #include "film/error.h"
+#include "film/half_buffers.h"
 #include "film/invalid_samples.h"
 #include "film/rounding_errors.h"
 #include "film/tile_variance.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
-
-inline constexpr uint32_t kHalfBuffers = 2;
 
 class Film {
  public:
@@ -39,10 +38,18 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
+  struct Pixel {
+    std::array<std::array<double, 3>, kHalfBuffers> sum{};  // rounded after each sample
+    std::array<uint32_t, kHalfBuffers> count{};
+  };
+
   // Adds one sample to a half-buffer of a pixel; returns false if it is invalid. Different pixels may be updated from
   // different threads.
   bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
-    Pixel& pixel = at(x, y);
+    return add(at(x, y), x, y, half_buffer, radiance);
+  }
+  // The same, where `pixel` is the pixel at (x, y).
+  bool add(Pixel& pixel, int x, int y, uint32_t half_buffer, const Rgb& radiance) {
     if (!is_radiance(radiance)) [[unlikely]] {
       invalid_.count(x, y, sample_index(half_buffer, pixel.count[half_buffer]), radiance);
       // Counts as a sample of value zero. Leaving it out would bias the mean towards the valid samples.
@@ -91,10 +98,6 @@ class Film {
   void set_first_sample(uint32_t sample) { first_sample_ = sample; }
 
   // The complete state, for checkpoints, together with `rounding_errors`.
-  struct Pixel {
-    std::array<std::array<double, 3>, kHalfBuffers> sum{};  // rounded after each sample
-    std::array<uint32_t, kHalfBuffers> count{};
-  };
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
   const RoundingErrors& rounding_errors() const { return errors_; }
@@ -125,6 +128,8 @@ class Film {
     return errors_.any_at(x, y) ? rounded_sums(x, y, buffer) : at(x, y).sum;
   }
   const Sums& rounded_sums(int x, int y, Sums& buffer) const;
+  Rgb mean(const Pixel& p, const Sums& sum) const;
+  Rgb variance_of_mean(const Pixel& p, const Sums& sum) const;
 
   // The number of sample `n` of a half-buffer.
   uint32_t sample_index(uint32_t half_buffer, uint32_t n) const {

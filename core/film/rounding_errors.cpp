@@ -1,6 +1,5 @@
 #include "film/rounding_errors.h"
 
-#include <cstdint>
 #include <cstring>
 
 #include "base/error_free.h"
@@ -31,8 +30,8 @@ RoundingErrors::Segment& RoundingErrors::Link::obtain() {
 void RoundingErrors::Link::clear() { delete segment_.exchange(nullptr); }
 
 RoundingErrors::RoundingErrors(int width, int height)
-    : segments_per_row_((width + kWidth - 1) / kWidth),
-      segments_(static_cast<size_t>(segments_per_row_) * static_cast<size_t>(height)) {}
+    : segments_per_row_((static_cast<uint32_t>(width) + kWidth - 1) / kWidth),
+      segments_(segments_per_row_ * static_cast<size_t>(height)) {}
 
 RoundingErrors::RoundingErrors(const RoundingErrors& other)
     : segments_per_row_(other.segments_per_row_), segments_(other.segments_.size()) {
@@ -56,7 +55,7 @@ void RoundingErrors::add(int x, int y, size_t half_buffer, const Channels& error
     double error = errors[c];
     for (Link* link = &segments_[segment_of(x, y)]; error != 0;) {
       Segment& segment = link->obtain();
-      error = add_exactly(segment.errors[static_cast<size_t>(x % kWidth)][half_buffer][c], error);
+      error = add_exactly(segment.errors[static_cast<uint32_t>(x) % kWidth][half_buffer][c], error);
       link = &segment.next;
     }
   }
@@ -65,7 +64,7 @@ void RoundingErrors::add(int x, int y, size_t half_buffer, const Channels& error
 std::vector<double> RoundingErrors::errors(int x, int y, size_t half_buffer, size_t channel) const {
   std::vector<double> levels;
   for (const Segment* s = segments_[segment_of(x, y)].load(); s; s = s->next.load())
-    levels.push_back(s->errors[static_cast<size_t>(x % kWidth)][half_buffer][channel]);
+    levels.push_back(s->errors[static_cast<uint32_t>(x) % kWidth][half_buffer][channel]);
   return levels;
 }
 
@@ -79,7 +78,7 @@ RoundingErrors::Channels RoundingErrors::rounded(int x, int y, size_t half_buffe
       terms.push_back(sum[c]);
       result[c] = rounded_sum(terms);
     } else {
-      result[c] = sum[c] + first->errors[static_cast<size_t>(x % kWidth)][half_buffer][c];
+      result[c] = sum[c] + first->errors[static_cast<uint32_t>(x) % kWidth][half_buffer][c];
     }
   }
   return result;

@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -45,7 +46,7 @@ class RoundingErrors {
   bool restore(std::span<const std::byte> bytes);
 
  private:
-  static constexpr int kWidth = 32;  // pixels of a segment
+  static constexpr uint32_t kWidth = 32;  // pixels of a segment
   struct Segment;
   // An owned segment that threads create when they first need it.
   class Link {
@@ -68,10 +69,10 @@ class RoundingErrors {
   struct Record;
 
   size_t segment_of(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(segments_per_row_) + static_cast<size_t>(x / kWidth);
+    return static_cast<uint32_t>(y) * segments_per_row_ + static_cast<uint32_t>(x) / kWidth;
   }
 
-  int segments_per_row_ = 0;
+  size_t segments_per_row_ = 0;
   std::vector<Link> segments_;  // row by row
 };
 

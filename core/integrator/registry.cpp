@@ -2,7 +2,7 @@
 #include <cassert>
 
 #include "base/hash.h"
-#include "film/film.h"
+#include "film/half_buffers.h"
 #include "integrator/registration.h"
 #include "transport/path_expression/path_expression.h"
 

@@ -48,10 +48,10 @@ void TailStatistics::add(const integrator::PixelBlock& block, std::span<const Rg
   double sum = 0;
   size_t i = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
-    const auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
+    auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
       const double expected = luminance_of(pixel[x]) * per_sample;
-      const bool is_valid = film.add(x, y, block.sample % film::kHalfBuffers, radiance[i]);
+      const bool is_valid = film.add(pixel[x], x, y, block.sample % film::kHalfBuffers, radiance[i]);
       const double value = is_valid ? static_cast<double>(luminance(radiance[i])) : 0;
       deviations[i] = static_cast<float>((value - expected) * scale);
       sum += value;

@@ -19,4 +19,4 @@ folder=${out%.exr}.parts
 read -r -a options <<<"${SBATCH_OPTIONS:-}"
 job=$(SAMPLES=$samples sbatch --parsable "${options[@]}" --array="0-$((tasks - 1))" "$here/render_array.sh" "$folder" "$@")
 job=${job%%;*}
-sbatch --dependency="afterok:$job" "$here/merge_parts.sh" "$folder" "$samples" "$out"
+sbatch --dependency="afterok:$job" --kill-on-invalid-dep=yes "$here/merge_parts.sh" "$folder" "$samples" "$out"

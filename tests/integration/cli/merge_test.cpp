@@ -130,18 +130,18 @@ TEST_F(Merge, InterruptedPartsAreResumed) {
 
 TEST_F(Merge, RefusesPartsOfOtherRenderings) {
   render("--samples 0:4", "a.exr");
-  render("--samples 4:8 --seed 6", "seed.exr");
+  ASSERT_EQ(run("render cornell --size 40x24 --seed 6 --samples 4:8 -o seed.exr").code, 0);
   render("--samples 4:8 --max-depth 3", "depth.exr");
-  render("--samples 4:8 --size 40x25", "size.exr");
+  ASSERT_EQ(run("render cornell --size 40x25 --seed 5 --samples 4:8 -o size.exr").code, 0);
   render("--samples 3:8", "overlap.exr");
   render("--samples 6:8", "gap.exr");
-  ASSERT_EQ(run("render furnace --size 40x24 --seed 5 --samples 4:8 -o scene.exr").code, 0);
+  ASSERT_EQ(run("render glossy-plates --size 40x24 --seed 5 --samples 4:8 -o scene.exr").code, 0);
   expect_refused("a.exr seed.exr", 3,
                  "seed.exr: is not a part of the same rendering as a.exr: render.seed is 6, not 5");
   expect_refused("a.exr depth.exr", 3, "path.max-depth is 3, not the default");
   expect_refused("a.exr size.exr", 3, "its size is 40x25, not 40x24");
   expect_refused("a.exr scene.exr", 3,
-                 "scene.exr: is not a part of the same rendering as a.exr: its scene is 'furnace'");
+                 "scene.exr: is not a part of the same rendering as a.exr: its scene is 'glossy-plates'");
   expect_refused("a.exr overlap.exr", 3, "overlap.exr (samples 3:8): has samples in common with a.exr (samples 0:4)");
   expect_refused("a.exr a.exr", 3, "has samples in common");
   expect_refused("a.exr gap.exr", 3, "missing: samples 4:6;");
@@ -188,7 +188,7 @@ TEST_F(Merge, RefusesDamagedAndForeignFiles) {
 
 // The scene of a part is a file, whose content counts, not its path.
 TEST_F(Merge, RefusesAChangedScene) {
-  ASSERT_EQ(run("save furnace -o scene.gltf").code, 0);
+  ASSERT_EQ(run("save cornell -o scene.gltf").code, 0);
   fs::create_directories(folder_ / "copy");
   for (const char* file : {"scene.gltf", "scene.bin"})
     if (fs::exists(folder_ / file)) fs::copy_file(folder_ / file, folder_ / "copy" / file);
@@ -239,7 +239,7 @@ last=none
 while [ $# -gt 0 ]; do
   case $1 in
     --array=0-*) last=${1#--array=0-} ;;
-    --dependency=afterok:17 | --parsable | --cpus-per-task=1) ;;
+    --dependency=afterok:17 | --kill-on-invalid-dep=yes | --parsable | --cpus-per-task=1) ;;
     --*) exit 9 ;;
     *) break ;;
   esac
