@@ -13,7 +13,7 @@ void Film::add_sum(int x, int y, uint32_t half_buffer, const std::array<double, 
   pixel.count[half_buffer] += count;
   RoundingErrors::Channels errors;
   for (size_t c = 0; c < 3; ++c) errors[c] = add_exactly(pixel.sum[half_buffer][c], sum[c]);
-  errors_.add(x, y, half_buffer, errors);
+  if (errors[0] != 0 || errors[1] != 0 || errors[2] != 0) errors_.add(x, y, half_buffer, errors);
 }
 
 const Film::Sums& Film::rounded_sums(int x, int y, Sums& buffer) const {

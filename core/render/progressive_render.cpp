@@ -73,6 +73,7 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   // The seed is that of the image, so that photons traced for the preview can be reused.
   Document preview_document = document_;
   preview_document.method.adaptive = Adaptive::off;
+  preview_document.part = {};
   Renderer renderer(preview_document, scene_, width, height, renderer_.get());
   film::Film film(width, height);
   Renderer::Counters counters;
@@ -189,7 +190,8 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   status.progress = progress_to_limit(document_.limits, state);
   status.time_left = time_to_limit(document_.limits, state);
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + renderer_->memory();
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) +
+                  film_.film().rounding_errors().memory() + renderer_->memory();
   write_phase(status, *renderer_);
   status.finished = finished;
   if (finished) {
