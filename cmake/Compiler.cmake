@@ -46,6 +46,13 @@ if(ETENDUE_SANITIZE)
   target_compile_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE})
 endif()
+# With sanitizers, a program does not unload libraries before its end.
+function(etendue_keep_libraries target)
+  if(ETENDUE_SANITIZE)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep_libraries.cpp)
+    target_link_options(${target} PRIVATE -Wl,--export-dynamic-symbol=dlclose)
+  endif()
+endfunction()
 if(ETENDUE_LIBFUZZER)
   # Counts executed branches, which guides libFuzzer. Programs with a main function are linked as usual.
   target_compile_options(etendue_options INTERFACE -fsanitize=fuzzer-no-link)

@@ -17,6 +17,7 @@
   ENTRY(pure_light_tracing)        \
   ENTRY(light_tracing)             \
   ENTRY(bdpt)                      \
+  ENTRY(vcm)                       \
   ENTRY(mlt)                       \
   ENTRY(pssmlt)                    \
   ENTRY(photon_mapping)            \

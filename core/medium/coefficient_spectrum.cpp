@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "spectrum/spectrum_points.h"
+
 namespace etendue {
 namespace {
 
@@ -66,7 +68,7 @@ constexpr double kLargestCoefficient = 1e6;  // 1/m
 Result<CoefficientSpectrum> prepared(Coefficient coefficient, const std::string& name) {
   for (const NamedCoefficient& named : named_coefficients())
     if (named.coefficient == coefficient && name == named.name) return CoefficientSpectrum(named.make());
-  const auto spectrum = read_spectrum(name);
+  const auto spectrum = is_point_list(name) ? spectrum_of_points(name) : read_spectrum(name);
   if (!spectrum) return spectrum.error();
   for (size_t i = 0; i < WavelengthTable::kNodes; ++i)
     if (extended(*spectrum, WavelengthTable::wavelength(i)) > kLargestCoefficient)
@@ -115,7 +117,8 @@ Result<CoefficientSpectrumRef> find_coefficient_spectrum(Coefficient coefficient
 }
 
 bool names_coefficient_file(std::string_view name) {
-  return std::ranges::none_of(named_coefficients(), [&](const NamedCoefficient& c) { return name == c.name; });
+  return !is_point_list(name) &&
+         std::ranges::none_of(named_coefficients(), [&](const NamedCoefficient& c) { return name == c.name; });
 }
 
 Text coefficient_spectrum_parameter(Coefficient coefficient, const CoefficientSpectrumRef& value) {
@@ -123,14 +126,14 @@ Text coefficient_spectrum_parameter(Coefficient coefficient, const CoefficientSp
   std::vector<Option> options{{kNoCoefficientSpectrum, "From the RGB coefficient"}};
   for (const NamedCoefficient& named : named_coefficients())
     if (named.coefficient == coefficient) options.push_back({named.name, named.label});
-  return {
-      scatters ? "scattering-spectrum" : "absorption-spectrum",
-      scatters ? "Scattering spectrum" : "Absorption spectrum",
-      value ? value.name : kNoCoefficientSpectrum,
-      "Measured coefficient by wavelength, or a file with a wavelength in nm and a coefficient in 1/m per row. Sets "
-      "the RGB coefficient, which RGB rendering uses. None: a smooth spectrum of the RGB coefficient",
-      scatters ? accepts<Coefficient::scattering> : accepts<Coefficient::absorption>,
-      std::move(options)};
+  return {scatters ? "scattering-spectrum" : "absorption-spectrum",
+          scatters ? "Scattering spectrum" : "Absorption spectrum",
+          value ? value.name : kNoCoefficientSpectrum,
+          "Measured coefficient by wavelength, points such as 400:0.2 700:1, or a file with a wavelength in nm and a "
+          "coefficient in 1/m per row. Sets the RGB coefficient, which RGB rendering uses. None: a smooth spectrum of "
+          "the RGB coefficient",
+          scatters ? accepts<Coefficient::scattering> : accepts<Coefficient::absorption>,
+          std::move(options)};
 }
 
 }  // namespace etendue

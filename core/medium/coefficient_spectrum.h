@@ -53,7 +53,8 @@ inline constexpr const char* kNoCoefficientSpectrum = "none";
 // None if the coefficient is given as RGB.
 using CoefficientSpectrumRef = NamedSpectrum<CoefficientSpectrum>;
 
-// kNoCoefficientSpectrum, the name of a measured coefficient, or the path of a file (spectrum/spectrum.h).
+// kNoCoefficientSpectrum, the name of a measured coefficient, points such as "400:0.2 700:1"
+// (spectrum/spectrum_points.h), or the path of a file (spectrum/spectrum.h).
 Result<CoefficientSpectrumRef> find_coefficient_spectrum(Coefficient coefficient, std::string_view name);
 // Whether the name is that of a file.
 bool names_coefficient_file(std::string_view name);

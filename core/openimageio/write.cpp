@@ -3,10 +3,25 @@
 #include <OpenImageIO/imageio.h>
 
 #include <exception>
+#include <span>
+#include <vector>
 
 #include "message.h"
 
 namespace etendue::openimageio {
+
+namespace {
+
+// The pixels and space behind them: the writer of HEIF of OpenImageIO 2.4 reads rows of at least 64 pixels, also the
+// last one, which can be shorter.
+std::vector<uint8_t> padded(std::span<const uint8_t> pixels) {
+  constexpr size_t kRow = 64 * 3;
+  std::vector<uint8_t> result(pixels.begin(), pixels.end());
+  result.resize(pixels.size() + kRow);
+  return result;
+}
+
+}  // namespace
 
 Result<void> write_image(const image::PluginWrite& request) try {
   const auto failed = [&](const std::string& message) {
@@ -21,7 +36,8 @@ Result<void> write_image(const image::PluginWrite& request) try {
   spec.attribute("Software", "etendue");
   // 0 to 100, for lossy formats; lossless ones ignore it.
   spec.attribute("CompressionQuality", 95);
-  const void* pixels = linear ? static_cast<const void*>(request.linear.data()) : request.display.data();
+  const std::vector<uint8_t> display = padded(request.display);
+  const void* pixels = linear ? static_cast<const void*>(request.linear.data()) : display.data();
   if (!output->open(request.path, spec) || !output->write_image(type, pixels) || !output->close())
     return failed(output->geterror());
   // The writer of JPEG 2000 returns success if it fails; that of TIFF leaves a message if it succeeds.

@@ -25,6 +25,8 @@ class EmissionSpectrum {
 
   // The spectrum relative to D65, linear between whole nanometres.
   SampledSpectrum at(const Wavelengths& wavelengths) const { return values_.at(wavelengths); }
+  // In nm.
+  float at(float wavelength) const { return values_.at(wavelength); }
 
   // The spectrum of an emitter whose RGB value is `emitted`, that of this spectrum times a factor. A factor with a
   // colour, of a texture or tint, is a smooth spectrum (uplift.h).
@@ -46,7 +48,7 @@ struct EmissionSpectrumRef : NamedSpectrum<EmissionSpectrum> {
 // Stands for an emitter whose spectrum follows from its RGB colour.
 inline constexpr const char* kNoSpectrum = "none";
 
-// kNoSpectrum, an illuminant, a temperature such as "2700K", or the path of a file (spectrum.h).
+// kNoSpectrum, or a name of find_spectrum (spectrum.h).
 Result<EmissionSpectrumRef> find_emission_spectrum(std::string_view name);
 // The same; no spectrum if the name is not valid.
 EmissionSpectrumRef emission_spectrum_or_none(std::string_view name);

@@ -20,7 +20,7 @@ struct NamedSpectrum {
   friend bool operator==(const NamedSpectrum& a, const NamedSpectrum& b) { return a.name == b.name; }
 };
 
-// Prepared spectra by name, each of which is prepared once. Threads may use it at the same time.
+// Prepared spectra by name. A spectrum in use is prepared once. Threads may use the object at the same time.
 template <class T>
 class NamedSpectra {
  public:
@@ -29,15 +29,19 @@ class NamedSpectra {
   template <class Prepare>
   Result<std::shared_ptr<const T>> find(const std::string& name, Prepare&& prepare) {
     const std::scoped_lock lock(mutex_);
-    if (const auto found = known_.find(name); found != known_.end()) return found->second;
+    if (const auto found = known_.find(name); found != known_.end())
+      if (auto in_use = found->second.lock()) return in_use;
     auto prepared = prepare(name);
     if (!prepared) return prepared.error();
-    return known_[name] = std::make_shared<const T>(std::move(*prepared));
+    std::erase_if(known_, [](const auto& entry) { return entry.second.expired(); });
+    auto spectrum = std::make_shared<const T>(std::move(*prepared));
+    known_[name] = spectrum;
+    return spectrum;
   }
 
  private:
   std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const T>> known_;
+  std::map<std::string, std::weak_ptr<const T>> known_;
 };
 
 }  // namespace etendue

@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "spectrum/blackbody.h"
 #include "spectrum/illuminant_fl2.h"
+#include "spectrum/spectrum_points.h"
 
 namespace etendue {
 namespace {
@@ -156,6 +157,7 @@ const std::vector<Illuminant>& illuminants() {
 Result<Spectrum> find_spectrum(const std::string& name) {
   for (const Illuminant& illuminant : illuminants())
     if (name == illuminant.name) return illuminant.make();
+  if (is_point_list(name)) return spectrum_of_points(name);
   char* end = nullptr;
   const double kelvin = std::strtod(name.c_str(), &end);
   if (end != name.c_str() && std::string_view(end) == "K") return Spectrum::blackbody(kelvin);
@@ -164,6 +166,7 @@ Result<Spectrum> find_spectrum(const std::string& name) {
 
 bool names_spectrum_file(const std::string& name) {
   if (std::ranges::find(illuminants(), name, &Illuminant::name) != illuminants().end()) return false;
+  if (is_point_list(name)) return false;
   char* end = nullptr;
   std::strtod(name.c_str(), &end);
   return end == name.c_str() || std::string_view(end) != "K";

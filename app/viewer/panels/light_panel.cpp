@@ -19,6 +19,7 @@
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/color_widget.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/spectrum_editor.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
@@ -132,7 +133,7 @@ class LightPanel final : public Panel {
     if (group(state.ui, "Light meter", "meter.")) meter_.draw(state);
     if (group(state.ui, "Environment", "environment.")) draw_environment(state, scene->environment);
     if (group(state.ui, "Atmosphere", "atmosphere.", !scene->atmosphere.medium.is_clear()))
-      section_widgets(state, "atmosphere");
+      draw_atmosphere(state, scene->atmosphere);
   }
 
   std::vector<ParameterInfo> parameters() const override {
@@ -146,6 +147,14 @@ class LightPanel final : public Panel {
         {"light.choose.N", "Light N", "Selects light N"},
         {"light.surface.N", "Emissive material N", "Opens material N, which emits light, in the Material panel"},
         {"meter.spectrum-plot", "Spectrum", "Spectral radiance of the measured point by wavelength"},
+        {"light.N.spectrum.points", "Spectrum", "Moves the points of the spectrum of light N"},
+        {"light.N.spectrum.edit", "Edit as points", "Replaces the spectrum of light N by points"},
+        {"environment.spectrum.points", "Spectrum", "Moves the points of the spectrum of the environment"},
+        {"environment.spectrum.edit", "Edit as points", "Replaces the spectrum of the environment by points"},
+        {"atmosphere.scattering-spectrum.points", "Scattering", "Moves the points of the scattering coefficient"},
+        {"atmosphere.scattering-spectrum.edit", "Edit as points", "Replaces the scattering coefficient by points"},
+        {"atmosphere.absorption-spectrum.points", "Absorption", "Moves the points of the absorption coefficient"},
+        {"atmosphere.absorption-spectrum.edit", "Edit as points", "Replaces the absorption coefficient by points"},
         {"environment.image.N", "Environment N", "Lights the scene with built-in environment N"},
         {kTemperatureItem, "Temperature",
          "Sets the colour of the selected light to that of a black body of this temperature"},
@@ -222,6 +231,8 @@ class LightPanel final : public Panel {
     section_widgets_for(state, section, kColor);
     temperature_widget(state, section + ".color", kTemperatureItem);
     section_widgets_except(state, section, {"intensity", "color.r", "color.g", "color.b"});
+    emission_spectrum_editor(state, section + ".spectrum",
+                             state.document().scene->lights[index].spectrum.spectrum.get());
     flux_values(state.ui, state.document().scene->lights[index], efficacy);
   }
 
@@ -237,10 +248,17 @@ class LightPanel final : public Panel {
       units_ = *unit == Value(std::string("radiometric")) ? UnitSystem::radiometric : UnitSystem::photometric;
   }
 
+  static void draw_atmosphere(AppState& state, const scene::Atmosphere& atmosphere) {
+    section_widgets(state, "atmosphere");
+    coefficient_editors(state, "atmosphere", atmosphere.medium);
+  }
+
   void draw_environment(AppState& state, const Environment& environment) {
     environment_images_.draw(state);
     if (environment.map && !find_builtin_environment(environment.file)) note(state.ui, environment.file);
     section_widgets(state, "environment");
+    if (!environment.black())
+      emission_spectrum_editor(state, "environment.spectrum", environment.spectrum.spectrum.get());
     action_button(state, "environment.load");
   }
 

@@ -13,7 +13,7 @@
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
-#include "viewer/widgets/spectrum_plot.h"
+#include "viewer/widgets/spectrum_editor.h"
 #include "viewer/widgets/surface_checks.h"
 
 namespace etendue::viewer {
@@ -116,6 +116,12 @@ void model_widgets(AppState& state, const std::string& section, const BsdfModelR
   section_widgets_for(state, section, names);
 }
 
+// The points of the spectrum of an emissive material.
+void emission_editor(AppState& state, const std::string& section, const Material& material) {
+  if (material.is_emissive())
+    emission_spectrum_editor(state, section + ".emission-spectrum", material.emission_spectrum.spectrum.get());
+}
+
 void gltf_widgets(AppState& state, const std::string& section, const Material& material) {
   const std::string prefix = section + ".";
   Names in_other_groups{"model"};
@@ -123,7 +129,10 @@ void gltf_widgets(AppState& state, const std::string& section, const Material& m
   append(in_other_groups, kOpacityNames);
   append(in_other_groups, medium_names(state, section));
   for (const Layer& layer : kLayers) append(in_other_groups, names_with_prefix(state, section, layer.prefix));
-  if (group(state.ui, "Base layer", prefix)) section_widgets_except(state, section, in_other_groups);
+  if (group(state.ui, "Base layer", prefix)) {
+    section_widgets_except(state, section, in_other_groups);
+    emission_editor(state, section, material);
+  }
   if (group(state.ui, "Transmission", prefix)) section_widgets_for(state, section, kTransmissionNames);
   for (const Layer& layer : kLayers)
     if (group(state.ui, layer.label, prefix + layer.prefix, layer.is_present(material)))
@@ -171,19 +180,28 @@ class MaterialPanel final : public Panel {
     if (group(state.ui, "Model", prefix)) model_widgets(state, section, material.model);
     if (material.model) {
       section_widgets_for(state, section, kCommonNames);
+      emission_editor(state, section, material);
       if (material.model->is_solid() && group(state.ui, "Attenuation", prefix))
         section_widgets_for(state, section, kAttenuationNames);
     } else {
       gltf_widgets(state, section, material);
     }
-    if (group(state.ui, "Medium", prefix, !material.medium.is_clear() || material.boundary_only))
+    if (group(state.ui, "Medium", prefix, !material.medium.is_clear() || material.boundary_only)) {
       section_widgets_for(state, section, medium_names(state, section));
+      coefficient_editors(state, section, material.medium);
+    }
     if (group(state.ui, "Opacity and sidedness", prefix)) section_widgets_for(state, section, kOpacityNames);
     if (group(state.ui, "Spectrum", prefix, false)) draw_spectrum(state.ui, material);
   }
 
   std::vector<ItemInfo> items() const override {
     return {{"material.spectrum-plot", "Spectrum", "Reflectance by wavelength of a metal or of the base colour"},
+            {"material.N.emission-spectrum.points", "Emission", "Moves the points of the emission spectrum"},
+            {"material.N.emission-spectrum.edit", "Edit as points", "Replaces the emission spectrum by points"},
+            {"material.N.scattering-spectrum.points", "Scattering", "Moves the points of the scattering coefficient"},
+            {"material.N.scattering-spectrum.edit", "Edit as points", "Replaces the scattering coefficient by points"},
+            {"material.N.absorption-spectrum.points", "Absorption", "Moves the points of the absorption coefficient"},
+            {"material.N.absorption-spectrum.edit", "Edit as points", "Replaces the absorption coefficient by points"},
             {"material.choose", "Material", "Opens the list of materials"},
             {"material.choose.N", "Material N", "Selects material N of the open list"}};
   }

@@ -114,32 +114,12 @@ class BdptState final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_scattering_model(*context_.model,
-                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model, [&]<class M>(M) {
+      return sample_in_pieces<M>(context_, options_, block, radiance, task_context);
+    });
   }
 
  private:
-  template <class M>
-  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
-                                      const TaskContext& task_context) const {
-    using BlockSampler = BidirectionalSampler<M>;
-    static thread_local const auto sampler = std::make_unique<BlockSampler>();
-    std::array<Rgb, size_t{BlockSampler::kWidth} * BlockSampler::kHeight> part;
-    uint64_t rays = 0;
-    for (int top = 0; top < block.height; top += BlockSampler::kHeight)
-      for (int left = 0; left < block.width; left += BlockSampler::kWidth) {
-        const PixelBlock piece{block.x + left, block.y + top, std::min(BlockSampler::kWidth, block.width - left),
-                               std::min(BlockSampler::kHeight, block.height - top), block.sample};
-        const auto traced = sampler->sample(context_, options_, piece, part, task_context);
-        if (!traced) return {};
-        rays += *traced;
-        const Rgb* next = part.data();
-        for (int y = top; y < top + piece.height; ++y)
-          for (int x = left; x < left + piece.width; ++x) radiance[static_cast<size_t>(y * block.width + x)] = *next++;
-      }
-    return rays;
-  }
-
   const RenderContext context_;
   const BidirectionalOptions options_;
 };

@@ -38,6 +38,36 @@ class BidirectionalSampler {
     return *rays + subpaths_.light.rays_traced() + connection_rays_ + splatter.finish();
   }
 
+  // Traces the light subpaths of a sample with the numbers `first` and so on, of which sample() traces one per pixel.
+  // vertex(subpaths, starts, i) is called for each current hit i of `subpaths.light` that can be merged.
+  template <class OnVertex>
+  std::optional<uint64_t> trace_light_paths(const RenderContext& context, const BidirectionalOptions& options,
+                                            uint32_t sample, int first, int count, const TaskContext& task_context,
+                                            OnVertex&& vertex) {
+    context_ = &context;
+    options_ = &options;
+    subpaths_.begin(context, options, {}, static_cast<float>(context.width) * static_cast<float>(context.height));
+    light_starts_.launch(
+        context, sample, count, task_context, subpaths_.light, [&](int i) { return static_cast<uint32_t>(first + i); },
+        [&](const Start& start, Vec2) {
+          subpaths_.start_light(start);
+          return true;
+        });
+    PathWavefront& light = subpaths_.light;
+    while (light.trace())
+      while (light.next_hits()) {
+        if (light.length() == 1) light_starts_.apply_range_window(light);
+        subpaths_.add_light_hits();
+        if (options.too_long(light.length() + 1)) continue;
+        vertex(subpaths_, light_starts_);
+        transport::sample_bsdf_where(
+            light, options.roulette_start, TransportMode::importance, [](int) { return true; },
+            [&](int i, const auto& s) { subpaths_.scatter_light(i, s); });
+      }
+    if (light.cancelled()) return {};
+    return light.rays_traced();
+  }
+
   // Evaluates given points of primary sample space, kWidth x kHeight at most: appends the contribution of each path,
   // divided by the density of its numbers, to its list of splats. The mean over uniformly distributed points is the
   // image.
@@ -148,6 +178,7 @@ class BidirectionalSampler {
             });
         media.add_light_samples();
         connect_vertices();
+        if (options_->merges) merge_vertices();
         transport::sample_bsdf_where(
             subpaths_.camera, options_->roulette_start, TransportMode::radiance,
             [&](int i) { return subpaths_.continues_from_camera(i); },
@@ -197,6 +228,42 @@ class BidirectionalSampler {
     if (connections_.full()) trace_connections();
   }
 
+  // Merges the current camera vertices with the stored light vertices around them.
+  void merge_vertices() {
+    for (int i = 0; i < subpaths_.camera.hit_count(); ++i) {
+      const scene::SurfacePoint& z = subpaths_.camera.point(i);
+      if (!subpaths_.is_on_surface(z) || !subpaths_.camera.bsdf(i).has_non_delta_lobe()) continue;
+      Color sum(0);
+      options_->merges->for_each_near(z.position, z.ng, [&](const MergeVertex& y) { sum += merged(i, y); });
+      auto& state = subpaths_.camera.state_at(i);
+      state.radiance += state.throughput * sum * options_->merges->normalization();
+    }
+  }
+
+  // The flux of a light vertex that camera vertex i reflects, weighted. The density of light vertices follows the
+  // geometric surface, the BSDF the shading normal; the ratio of cosines is bounded, as for photons.
+  Color merged(int i, const MergeVertex& y) {
+    constexpr float kMinCosine = 1e-3f;
+    if (options_->too_long(y.length + subpaths_.camera.length())) return Color(0);
+    const auto at_z = subpaths_.camera.bsdf(i).evaluate(subpaths_.camera.wo(i), y.wo, TransportMode::radiance);
+    if (is_black(at_z.f_cos)) return Color(0);
+    const float cosine = std::max(subpaths_.cosine(subpaths_.camera.point(i), y.wo), kMinCosine);
+    Color value = at_z.f_cos * y.flux * (subpaths_.merge_weight(i, y, at_z.pdf) / cosine);
+    if constexpr (M::kClasses) value *= class_share(i, y);
+    return value;
+  }
+
+  // The share of a merge that belongs to the selected path classes.
+  Color class_share(int i, const MergeVertex& y) {
+    subpaths_.camera.shares().copy(subpaths_.camera.path_at(i), camera_shares_);
+    subpaths_.camera.shares().after_connection(camera_shares_, subpaths_.camera.bsdf(i), subpaths_.camera.wo(i), y.wo,
+                                               camera_shares_after_);
+    Color sum(0);
+    for (size_t q = 0; q < camera_shares_after_.size(); ++q)
+      if (options_->classes->are_compatible(static_cast<uint8_t>(q), y.state)) sum += camera_shares_after_[q];
+    return sum;
+  }
+
   // The share of a connection that belongs to the selected path classes.
   Color class_share(int i, const Vertex& y, const Vec3& wi) {
     subpaths_.camera.shares().copy(subpaths_.camera.path_at(i), camera_shares_);
@@ -230,5 +297,34 @@ class BidirectionalSampler {
   uint64_t connection_rays_ = 0;
   std::vector<Color> camera_shares_, camera_shares_after_, light_shares_after_;
 };
+
+// The sampler of the calling thread.
+template <class M>
+BidirectionalSampler<M>& thread_sampler() {
+  static thread_local const auto sampler = std::make_unique<BidirectionalSampler<M>>();
+  return *sampler;
+}
+
+// Samples a block in pieces of the size of the sampler.
+template <class M>
+std::optional<uint64_t> sample_in_pieces(const RenderContext& context, const BidirectionalOptions& options,
+                                         const PixelBlock& block, std::span<Rgb> radiance,
+                                         const TaskContext& task_context) {
+  using BlockSampler = BidirectionalSampler<M>;
+  std::array<Rgb, size_t{BlockSampler::kWidth} * BlockSampler::kHeight> part;
+  uint64_t rays = 0;
+  for (int top = 0; top < block.height; top += BlockSampler::kHeight)
+    for (int left = 0; left < block.width; left += BlockSampler::kWidth) {
+      const PixelBlock piece{block.x + left, block.y + top, std::min(BlockSampler::kWidth, block.width - left),
+                             std::min(BlockSampler::kHeight, block.height - top), block.sample};
+      const auto traced = thread_sampler<M>().sample(context, options, piece, part, task_context);
+      if (!traced) return {};
+      rays += *traced;
+      const Rgb* next = part.data();
+      for (int y = top; y < top + piece.height; ++y)
+        for (int x = left; x < left + piece.width; ++x) radiance[static_cast<size_t>(y * block.width + x)] = *next++;
+    }
+  return rays;
+}
 
 }  // namespace etendue::integrator

@@ -2,6 +2,7 @@
 //                                                                       [Lang, sec. 9.3, eq. 9.78-9.110, corrected]
 #pragma once
 #include "integrator/bdpt/light_vertices.h"
+#include "integrator/bdpt/merge_map.h"
 #include "integrator/bdpt/techniques.h"
 #include "integrator/shared/light_path_estimators.h"
 #include "transport/mis/mis.h"
@@ -19,6 +20,7 @@ struct BidirectionalOptions {
   bool apply_mis = true;
   bool reuse = true;  // connect all pairs of vertices
   std::optional<transport::ClassJoin> classes;
+  const MergeMap* merges = nullptr;  // vertices of light subpaths that camera subpaths are merged with; null: none
 
   bool too_long(int edges) const { return max_depth > 0 && edges > max_depth; }
   bool contributes(int s, int t) const { return !excluded.contains(s, t) && (shown.empty() || shown.contains(s, t)); }
@@ -186,7 +188,7 @@ class BidirectionalSubpaths {
     MisChain chain = light_chains_[static_cast<size_t>(path)];
     const MisVertex on_lens = chain.add_vertex(light_rule(), sqr(hit.distance), hit.cosine, survival);
     const float sum = light_sum(on_lens, s - 1, last_light_vertex_[static_cast<size_t>(path)],
-                                1 / context_->camera->lens_area(), hit.density / pixels_, 0);
+                                1 / context_->camera->lens_area(), hit.density / pixels_, 0, false);
     return weight(path, s, 0, sum, 0);
   }
 
@@ -198,7 +200,7 @@ class BidirectionalSubpaths {
     const Vec3& wo = light.wo(i);
     const float lights =
         light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_light_vertex_[static_cast<size_t>(path)],
-                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1);
+                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1, is_on_surface(point));
     float lens = 0;
     if (context_->camera->can_be_hit() && is_enabled(s + 1, 0)) {
       const float distance = view.distance, c = context_->camera->cosine(-view.wi, light.state_at(i).time);
@@ -217,7 +219,7 @@ class BidirectionalSubpaths {
     const auto d = context_->scene->lights().emission_density(light_index, glm::dot(point.ng, camera.wo(i)),
                                                               camera.state_at(i).time);
     return weight(path, 0, t, 0,
-                  camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
+                  camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0, false));
   }
 
   // The camera subpath left the scene: s = 0.
@@ -235,7 +237,7 @@ class BidirectionalSubpaths {
       return weight(path, 0, t, 0, seen && density > 0 ? camera_rule().ratio(d.first / density) : 0.0f);
     }
     const MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule(), camera.survival(path));
-    return weight(path, 0, t, 0, camera_sum(path, at_infinity, t - 1, d.first, d.second, 0));
+    return weight(path, 0, t, 0, camera_sum(path, at_infinity, t - 1, d.first, d.second, 0, false));
   }
 
   // Light of media is found by camera subpaths only: on their last segment (s = 0), or by a direction sample at the
@@ -256,7 +258,7 @@ class BidirectionalSubpaths {
     const float hits = sample.delta || !is_enabled(0, t + 1) ? 0.0f : light_rule().ratio(pdf / sample.pdf);
     const float reverse_pdf = d.second * (d.infinite ? cos_point : cos_point / sqr(sample.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, reverse_pdf,
-                                     camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1);
+                                     camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1, is_on_surface(point));
     return weight_of_connection(path, 1, t, hits, cameras) / sample.pdf;
   }
 
@@ -264,10 +266,29 @@ class BidirectionalSubpaths {
   // of i as sampled from y, per area; `wi` is the direction from i to y.
   Weight connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
     const int s = y.length + 1, t = camera.length() + 1, path = camera.path_at(i);
-    const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t);
+    const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t, is_on_surface(y.point));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, density_at_z,
-                                     camera.bsdf(i).pdf(wi, camera.wo(i)), s);
+                                     camera.bsdf(i).pdf(wi, camera.wo(i)), s, is_on_surface(camera.point(i)));
     return weight_of_connection(path, s, t, lights, cameras);
+  }
+
+  // The merge of the current camera hit i with a light vertex. `pdf` is the density of the direction to the previous
+  // light vertex, as sampled at hit i.
+  float merge_weight(int i, const MergeVertex& y, float pdf) const {
+    const MisVertex light_vertex = y.mis(), &camera_vertex = camera_vertices_[static_cast<size_t>(i)];
+    const MisRule rule = camera_rule();
+    const float lights = light_vertex.sum_before(rule, pdf) / rule.merge(light_vertex.pdf);
+    const float reverse_pdf = camera.bsdf(i).pdf(y.wo, camera.wo(i));
+    const float cameras = camera_vertex.sum_before(rule, reverse_pdf) / rule.merge(camera_vertex.pdf);
+    return MisRule::weight(options_->heuristic, lights, cameras);
+  }
+  const transport::MisVertex& light_vertex(int i) const { return light_vertices_[static_cast<size_t>(i)]; }
+
+  static bool is_on_surface(const scene::SurfacePoint& point) {
+    if constexpr (M::kScattering)
+      return !point.in_volume;
+    else
+      return (void)point, true;
   }
 
  private:
@@ -280,8 +301,9 @@ class BidirectionalSubpaths {
   using PerHit = std::array<MisVertex, kHitsAtATime>;
 
   const Technique& technique(int path) const { return techniques_[static_cast<size_t>(path)]; }
-  MisRule light_rule() const { return {options_->heuristic, MisRule::Side::light}; }
-  MisRule camera_rule() const { return {options_->heuristic, MisRule::Side::camera}; }
+  float merge_density() const { return options_->merges ? options_->merges->density() : 0; }
+  MisRule light_rule() const { return {options_->heuristic, MisRule::Side::light, merge_density()}; }
+  MisRule camera_rule() const { return {options_->heuristic, MisRule::Side::camera, merge_density()}; }
 
   static int sample_vertex_count(uint32_t bits, float& inverse_probability) {
     constexpr float kTermination = 0.35f;
@@ -324,7 +346,7 @@ class BidirectionalSubpaths {
     const float cos_o = cosine(paths.point(i), paths.wo(i)), cos_i = cosine(paths.point(i), s.wi);
     MisChain& chain = chains[static_cast<size_t>(paths.path_at(i))];
     chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : paths.bsdf(i).pdf(s.wi, paths.wo(i)),
-                  s.delta);
+                  s.delta, is_on_surface(paths.point(i)));
     chain.sample_direction(s.delta ? cos_i : s.pdf_solid_angle, cos_i);
   }
 
@@ -338,9 +360,9 @@ class BidirectionalSubpaths {
 
   // The MIS sum of the light side, whose last vertex is v_j. `stored` is the last stored vertex; `v` itself need not be
   // stored yet.
-  float light_sum(const MisVertex& v, int j, const Vertex* stored, float reverse_pdf, float previous_reverse_pdf,
-                  int t) const {
-    if (options_->excluded.empty()) return v.sum(light_rule(), reverse_pdf, previous_reverse_pdf);
+  float light_sum(const MisVertex& v, int j, const Vertex* stored, float reverse_pdf, float previous_reverse_pdf, int t,
+                  bool mergeable) const {
+    if (options_->excluded.empty()) return v.sum(light_rule(), reverse_pdf, previous_reverse_pdf, mergeable);
     const auto vertex = [&](int k) -> const MisVertex& {
       if (k == j) return v;
       const Vertex* at = stored;
@@ -351,8 +373,9 @@ class BidirectionalSubpaths {
                                    [&](int s) { return is_enabled(s, j + 1 + t - s); });
   }
 
-  float camera_sum(int path, const MisVertex& v, int j, float reverse_pdf, float previous_reverse_pdf, int s) const {
-    if (options_->excluded.empty()) return v.sum(camera_rule(), reverse_pdf, previous_reverse_pdf);
+  float camera_sum(int path, const MisVertex& v, int j, float reverse_pdf, float previous_reverse_pdf, int s,
+                   bool mergeable) const {
+    if (options_->excluded.empty()) return v.sum(camera_rule(), reverse_pdf, previous_reverse_pdf, mergeable);
     const auto vertex = [&](int k) -> const MisVertex& {
       return k == j ? v : camera_history_[static_cast<size_t>(k - 1)][static_cast<size_t>(path)];
     };

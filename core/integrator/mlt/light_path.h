@@ -11,6 +11,9 @@
 // point of the unit square from which the lens point is made. The integral of f is the sum over all pixels of the
 // image. (A directly visible infinite light is measured per image point instead: f = L_e.)
 //
+// A point of a medium that emits is a light, too: L_e is the emission coefficient, the measure is that of volumes, and
+// the cosine is 1. Only light subpaths find it.
+//
 // In media, f contains the transmittance of every edge. A vertex in a volume has a cosine of 1, F_i is the phase
 // function times the scattering coefficient, and the measure is that of volumes. A free flight along an edge ends there
 // with the density sigma_t T per metre, and passes the edge with the probability T; both are means over the colour

@@ -9,7 +9,8 @@
 // start at some (markov_chain/markov_chain_renderer.h). Mutations: bidirectional, lens, caustic and multi-chain
 // perturbations, lens subpath mutations.
 //
-// In scattering media, vertices in volumes are mutated as those on surfaces; distances are sampled by free flights.
+// In scattering media, vertices in volumes are mutated as those on surfaces; distances are sampled by free flights. Media
+// that emit are lights, at which light subpaths start.
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L, E(D|G|V).*L and E.*(D|G|V)(D|G|V).*L
 //   Bias          consistent
@@ -49,6 +50,8 @@ class Mlt final : public IntegratorBase<Mlt> {
         .shortcut = '7',
         .scattering_media = true,
         .heterogeneous_media = true,
+        .emitting_media = true,
+        .starts_in_media = true,
         .ignores_portals = true,
     };
   }

@@ -15,6 +15,7 @@
 #include "integrator/mlt/light_path.h"
 #include "integrator/mlt/volume_scattering.h"
 #include "integrator/shared/camera_paths.h"
+#include "integrator/shared/emission_starts.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/medium_tracing.h"
@@ -34,6 +35,7 @@ class PathSpace {
         scene_(context.scene),
         filter_radius_(context.filter->radius()),
         extent_(Vec2(static_cast<float>(context.width), static_cast<float>(context.height)) + 2 * filter_radius_) {
+    if constexpr (M::kScattering) media_share_ = share_of_media(*scene_);
     if constexpr (M::kClasses) {
       shares_.resize(automaton().size());
       next_shares_.resize(automaton().size());
@@ -59,10 +61,14 @@ class PathSpace {
 
   // Samples x_0; for infinite lights, its direction.
   bool sample_light(ChainRandom& random, Path& path) {
-    const float choice = random.next();
-    const Vec2 point = random.next_2d(), direction = random.next_2d();
-    const Emission e = scene_->lights().sample_emission({choice, point, direction, path.time});
+    scene::MediumStack stack;
+    const Emission e = sample_emission(random, path.time, stack);
     if (!(e.density.first > 0)) return false;
+    if constexpr (M::kScattering)
+      if (e.kind == LightKind::medium) {
+        start_in_medium(e, stack, path);
+        return true;
+      }
     path.light.kind = e.kind;
     path.light.number = e.light;
     path.light.infinite = e.density.infinite;
@@ -90,6 +96,8 @@ class PathSpace {
   // Samples x_1 from x_0.
   bool trace_from_light(ChainRandom& random, Path& path) {
     if (path.light.kind == LightKind::triangle && path.light.number == Path::Light::kUnlisted) return false;
+    if (path.light.kind == LightKind::medium)
+      return trace_from_light(path[0].point.position, square_to_sphere(random.next_2d()), random, path);
     Emission e;
     e.kind = path.light.kind;
     e.light = path.light.number;
@@ -212,6 +220,7 @@ class PathSpace {
 
   // Computes all data of a path that follows from its ends, edges and hits.
   bool rebuild(Path& path) {
+    if (path.light.kind == LightKind::medium) place_in_medium(path[0]);
     for (int i = 0; i < path.edges(); ++i) {
       if constexpr (M::kScattering)
         if (path[i].media.in_volume) {
@@ -240,6 +249,34 @@ class PathSpace {
     x.delta = s.delta;
     x.transmitted = s.transmitted;
     return true;
+  }
+
+  Emission sample_emission(ChainRandom& random, float time, [[maybe_unused]] scene::MediumStack& stack) const {
+    const float choice = random.next();
+    const Vec2 point = random.next_2d(), direction = random.next_2d();
+    const EmissionRandom numbers(choice, point, direction, time);
+    if constexpr (M::kScattering)
+      if (media_share_ > 0) {
+        Emission e;
+        sample_start(*scene_, numbers, random.next(), media_share_, e, stack);
+        return e;
+      }
+    return scene_->lights().sample_emission(numbers);
+  }
+
+  // Makes a point of a medium that emits the light vertex. Camera subpaths do not hit it: it is no surface.
+  void start_in_medium(const Emission& e, const scene::MediumStack& stack, Path& path) const requires(M::kScattering) {
+    path.light = {LightKind::medium, Path::Light::kUnlisted, false, false, e.density.first, e.density.second};
+    Vertex& x = path[0];
+    x.delta = false;
+    x.media.interface.clear(stack);
+    leave_volume(x);
+    x.point.position = e.position;
+    place_in_medium(x);
+  }
+  static void place_in_medium(Vertex& x) {
+    const Vec3 position = x.point.position;
+    transport::set_volume_point({.position = position}, Vec3(0, 0, 1), x.point);
   }
 
   // Finds the surface that a ray hits if it starts in this medium state, or the collision before it. In models with
@@ -468,6 +505,10 @@ class PathSpace {
       light.emitted = map.radiance(-direction);
       density = scene_->lights().environment_emission_density(-direction);
       if (path.edges() == 1 && !map.visible()) return false;
+    } else if (light.kind == LightKind::medium) {
+      // Its densities are those with which it was sampled.
+      light.emitted = emission_in_medium(path[0]);
+      return !is_black(light.emitted);
     } else {
       // Lights without extent are not directly visible.
       if (path.edges() == 1) return false;
@@ -477,11 +518,19 @@ class PathSpace {
       sample.light = light.number;
       density = scene_->lights().emission_density(sample, path.time);
     }
-    light.first = density.first;
+    light.first = density.first * (1 - media_share_);
     light.second = density.second;
     if constexpr (M::kScattering)
       if (light.infinite && scene_->atmosphere_is_unbounded()) return false;
     return !is_black(light.emitted);
+  }
+
+  // The emission coefficient at a vertex in a medium, radiance per metre.
+  Rgb emission_in_medium([[maybe_unused]] const Vertex& x) const {
+    if constexpr (M::kScattering)
+      return scene_->solids().emission_at(x.media.interface.side(true), x.point.position);
+    else
+      return Rgb(0);
   }
 
   // An unlit surface (KHR_materials_unlit) is directly visible but lights nothing.
@@ -566,6 +615,7 @@ class PathSpace {
   const scene::CompiledScene* scene_;
   float filter_radius_;
   Vec2 extent_;
+  float media_share_ = 0;  // of starts in media that emit
   uint64_t rays_ = 0;
   std::vector<Color> shares_, next_shares_;  // by automaton state
 };

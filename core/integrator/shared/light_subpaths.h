@@ -4,6 +4,7 @@
 // scattering alone. `flux` is the flux at the start, in watts.
 #pragma once
 #include "integrator/shared/camera_paths.h"
+#include "integrator/shared/emission_starts.h"
 #include "transport/wavefront/path_estimators.h"
 
 namespace etendue::integrator {
@@ -120,45 +121,13 @@ class LightSubpaths {
   }
 
  private:
-  // The probability that a subpath starts in a medium, in proportion to the powers.
-  static float share_of_media(const scene::CompiledScene& scene) {
-    const float media = scene.solids().emission_points().power(), lights = scene.lights().power();
-    return media > 0 ? media / (media + lights) : 0;
-  }
-
   // Starts on a light or in a medium. `seed` gives a further random number.
-  static void start_anywhere(const scene::CompiledScene& scene, EmissionRandom random, float media_share, uint32_t seed,
-                             Start& start) {
-    Emission& e = start.emission;
-    if (random.choice < media_share) {
-      random.choice /= media_share;
-      return start_in_medium(scene, random, media_share, seed, start);
-    }
-    const float light_share = 1 - media_share;
-    random.choice = std::min((random.choice - media_share) / light_share, kOneMinusEpsilon);
-    scene.lights().sample_emission(random, e);
-    e.weight /= light_share;
-    e.density.first *= light_share;
-  }
-
-  // Starts at a point of a medium that emits, sampled by its power, in a uniform direction. The flux per volume is 4 pi
-  // times the emission coefficient.
-  static void start_in_medium(const scene::CompiledScene& scene, const EmissionRandom& random, float media_share,
-                              uint32_t seed, Start& start) {
-    const float third = to_unit_float(mix_bits(seed + 0x9e3779b9U));
-    const MediumEmitters::Point point =
-        scene.solids().emission_points().sample_point(random.choice, Vec3(random.point, third));
-    const scene::MediumStack stack = scene.solids().containing(scene.instances(), point.position, random.time);
-    Emission& e = start.emission;
-    e.kind = LightKind::medium;
-    e.light = scene::InstanceData::kNotALight;
-    e.time = random.time;
-    e.position = point.position;
-    e.direction = square_to_sphere(random.direction);
-    e.radiance = scene.solids().emission_at(stack, point.position);
-    e.density = {point.pdf * media_share, 1 / (4 * kPi), false, false};
-    if (point.pdf > 0) e.weight = 4 * kPi / e.density.first;
-    if constexpr (M::kMedia) start.media.clear(stack);
+  static void start_anywhere(const scene::CompiledScene& scene, const EmissionRandom& random, float media_share,
+                             uint32_t seed, Start& start) {
+    scene::MediumStack stack;
+    sample_start(scene, random, to_unit_float(mix_bits(seed + 0x9e3779b9U)), media_share, start.emission, stack);
+    if constexpr (M::kMedia)
+      if (start.emission.kind == LightKind::medium) start.media.clear(stack);
   }
 
   // Computes positions and emission of a batch of starts; surface points are evaluated in batches.

@@ -30,6 +30,17 @@
 // delta tracking and estimates of transmittance provide. The expectation of all techniques together is then
 //
 //   sum over s of  int w_s (f / p_s) p_s  =  int f  sum over s of w_s  =  int f
+//
+// Vertex merging [Georgiev et al. 2012] adds techniques. A light subpath and a camera subpath that both end at vertex i,
+// within a distance r of each other, have the density p_i,merge = p_i eta ahead_i, where eta is pi r^2 times the number of
+// light subpaths. The sums then also contain the merges at each vertex of the subpath that is on a surface and not
+// specular:
+//
+//   S_n = (back_{n-1} / ahead_{n-1})^beta (c_{n-1} + (eta ahead_{n-1})^beta + S_{n-1})
+//
+// The weight of a merge at vertex i, which ends subpaths of both sides, is
+//
+//   w = 1 / (1 + (c_i + S_i)_light / (eta ahead_i)_light^beta + (c_i + S_i)_camera / (eta ahead_i)_camera^beta)
 #pragma once
 #include "transport/mis/mis.h"
 
@@ -42,8 +53,10 @@ class MisRule {
   // or not at all. It prefers techniques with fewer camera vertices by a factor of 0.999 each.
   enum class Side { light, camera };
 
-  MisRule(MisHeuristic heuristic, Side side)
+  // `merges` is eta; 0: vertices are not merged.
+  MisRule(MisHeuristic heuristic, Side side, float merges = 0)
       : heuristic_(heuristic),
+        merges_(merges),
         tie_break_(heuristic != MisHeuristic::maximum ? 1
                    : side == Side::light              ? 0.999f
                                                       : 1 / 0.999f) {}
@@ -55,6 +68,8 @@ class MisRule {
   }
   // The power of a ratio, or of the factor that represents the whole ratio in ties.
   float ratio(float r) const { return power(r * tie_break_); }
+  // The term of merging at a vertex with this density, relative to the connection there.
+  float merge(float pdf) const { return merges_ > 0 ? power(merges_ * pdf) : 0; }
   float combine(float a, float b) const {
     return std::min(heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b, kMaxSum);
   }
@@ -73,6 +88,7 @@ class MisRule {
   static constexpr float kMaxSum = 1e30f;
 
   MisHeuristic heuristic_;
+  float merges_;
   float tie_break_;
 };
 
@@ -89,10 +105,15 @@ struct MisVertex {
 
   // S of the subpath that ends at this vertex and is continued by a connection. `reverse_pdf` is the density of this
   // vertex as sampled from the other end, per area; `previous_reverse_pdf` that of the direction to the previous
-  // vertex, per solid angle.
-  float sum(const MisRule& rule, float reverse_pdf, float previous_reverse_pdf) const {
-    const float c = connectible ? 1.0f : 0.0f;
-    return rule.ratio(reverse_pdf / pdf) * rule.combine(c, rule.power(previous_reverse_pdf) * weighted_sum);
+  // vertex, per solid angle. `mergeable`: the other subpath can be merged with this one here.
+  float sum(const MisRule& rule, float reverse_pdf, float previous_reverse_pdf, bool mergeable = false) const {
+    float before = sum_before(rule, previous_reverse_pdf);
+    if (mergeable) before = rule.combine(before, rule.merge(pdf));
+    return rule.ratio(reverse_pdf / pdf) * before;
+  }
+  // c_j + S_j.
+  float sum_before(const MisRule& rule, float previous_reverse_pdf) const {
+    return rule.combine(connectible ? 1.0f : 0.0f, rule.power(previous_reverse_pdf) * weighted_sum);
   }
 };
 
@@ -149,9 +170,11 @@ class MisChain {
   }
 
   // Continues from the vertex. `reverse_pdf` is the density of the direction to the previous vertex, per solid angle.
-  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta) {
+  // `on_surface`: vertices that are not specular can be merged.
+  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta, bool on_surface) {
     previous_connectible_ = vertex.connectible && !delta;
     partial_sum_ = rule.combine(previous_connectible_ ? 1.0f : 0.0f, rule.power(reverse_pdf) * vertex.weighted_sum);
+    if (on_surface && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
     previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
     connectible_ = !delta;
     infinite_ = false;

@@ -169,7 +169,8 @@ TEST_F(Window, SizesFromSmallToLarge) {
   for (const auto& [width, height] : {std::pair{800, 600}, {1024, 600}, {1280, 720}, {1920, 1080}, {2560, 1440}}) {
     user_->resize(width, height);
     user_->press("F1");
-    ASSERT_TRUE(user_->has_item("help.close")) << width << " x " << height;
+    const auto is_open = [](const json& report) { return report["items"].contains("help.close"); };
+    ASSERT_TRUE(user_->wait_until(is_open)) << width << " x " << height;
     const json close = user_->report()["items"]["help.close"];
     EXPECT_LE(close[1].get<double>() + close[3].get<double>(), height) << "the list of shortcuts fits the window";
     user_->press("F1");

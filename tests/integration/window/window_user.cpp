@@ -17,8 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kTimeout = std::chrono::seconds(10);
-constexpr auto kStartTimeout = std::chrono::seconds(60);
+// Programs with sanitizers need many times as long.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPatience = 10;
+#else
+constexpr int kPatience = 1;
+#endif
+constexpr auto kTimeout = kPatience * std::chrono::seconds(10);
+constexpr auto kStartTimeout = kPatience * std::chrono::seconds(60);
 constexpr auto kPoll = std::chrono::milliseconds(20);
 
 bool is_installed(const char* program) {
@@ -105,7 +111,7 @@ WindowUser::json WindowUser::report() {
 }
 
 bool WindowUser::wait_until(const std::function<bool(const json&)>& condition, double seconds) {
-  return wait_for(std::chrono::milliseconds(static_cast<int64_t>(1000 * seconds)), [&] {
+  return wait_for(std::chrono::milliseconds(static_cast<int64_t>(1000 * kPatience * seconds)), [&] {
     const json latest = report();
     return latest.is_object() && condition(latest);
   });

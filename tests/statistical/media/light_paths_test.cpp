@@ -122,6 +122,15 @@ Document with_wide_lens(const Document& d) {
 
 // ---- Media that emit.
 
+// Starts of light paths are divided between lights and media.
+scene::Scene flame_and_area_light() {
+  scene::Scene scene = flame_in_the_dark();
+  Mat4 down = at({1.5f, 3, 0});
+  down[1][1] = down[2][2] = -1;
+  add(scene, test::quad(0.3f), test::diffuse(Rgb(0), Rgb(30)), down);
+  return scene;
+}
+
 TEST(LightPathsFromMedia, AgreeWithPathTracing) {
   const Form progressive{"sppm", {{"photons", "3000"}, {"radius", "0.3"}, {"volume-radius", "0.02"}}, 0.75},
       photons_only{
@@ -134,17 +143,21 @@ TEST(LightPathsFromMedia, AgreeWithPathTracing) {
   expect_agreement_with_path(seen(glowing_gas()), "gas", 16, {kChains, kMultiplexed}, 0.06);
 }
 
+// Few chains mix slowly between paths of many lengths, so that paths have at most five edges.
+TEST(LightPathsFromMedia, OfMutationsAgreeWithPathTracing) {
+  const Form mutations{"mlt", {{"chains", "32"}, {"max-depth", "5"}}, 4};
+  const auto limited = [](const scene::Scene& scene) { return with(seen(scene), "path.max-depth", "5"); };
+  expect_agreement_with_path(limited(flame_in_the_dark()), "flame", 16, {mutations}, 0.06);
+  expect_agreement_with_path(limited(glowing_gas()), "gas", 16, {mutations}, 0.06);
+  expect_agreement_with_path(limited(flame_and_area_light()), "flame and area light", 16, {mutations}, 0.06);
+}
+
 TEST(LightPathsFromMedia, HitALens) {
   expect_agreement_with_path(with_wide_lens(seen(flame_in_the_dark())), "flame", 16, {kLight, kPure});
 }
 
-// An area light beside the flame: starts are divided between lights and media.
 TEST(LightPathsFromMedia, AndFromLights) {
-  scene::Scene scene = flame_in_the_dark();
-  Mat4 down = at({1.5f, 3, 0});
-  down[1][1] = down[2][2] = -1;
-  add(scene, test::quad(0.3f), test::diffuse(Rgb(0), Rgb(30)), down);
-  expect_agreement_with_path(seen(scene), "flame and area light", 16,
+  expect_agreement_with_path(seen(flame_and_area_light()), "flame and area light", 16,
                              {kLight, {"igi", {{"light-paths", "8"}, {"bound", "1"}}, 1}});
 }
 
@@ -184,7 +197,7 @@ TEST(LightPathsFromMedia, RefuseAnAtmosphereWithoutEnd) {
   const Document endless = with_wide_lens(seen(scene));
   scene.atmosphere.radius = 10;
   const Document bounded = with_wide_lens(seen(scene));
-  for (const char* name : {"light", "light-pure", "photonmap", "sppm", "igi"}) {
+  for (const char* name : {"light", "light-pure", "photonmap", "sppm", "igi", "mlt"}) {
     EXPECT_NE(reason(with_integrator(endless, name)).find("set atmosphere.radius"), std::string::npos) << name;
     EXPECT_EQ(reason(with_integrator(bounded, name)), "") << name;
   }
@@ -262,8 +275,10 @@ TEST(LightPathsInMedia, DoNotDependOnThreads) {
   }
 }
 
-// Vertices in volumes are restored from a checkpoint.
+// Vertices in volumes, and lights in media, are restored from a checkpoint.
 TEST(LightPathsInMedia, ChainsResume) {
+  test::expect_same_bits_after_resume(with(with_integrator(seen(flame_and_area_light()), "mlt"), "chains", "16"),
+                                      "mlt, flame");
   for (const char* name : {"mlt", "pssmlt"})
     test::expect_same_bits_after_resume(with(with_integrator(seen(cloud_of(chromatic())), name), "chains", "16"), name);
 }

@@ -1,0 +1,201 @@
+// Vertex connection and merging                                 [Georgiev et al. 2012; Hachisuka et al. 2012; Lang, ch. 9]
+//
+// Bidirectional path tracing and progressive photon mapping as techniques of one estimator. Camera subpaths are
+// connected with the light subpath of their pixel, as in `bdpt`, and merged with the vertices of the light subpaths of
+// all pixels within a radius r_i of a vertex:
+//
+//    L  ~  sum over connections  w f / p  +  1 / (pi r_i^2 N)  sum over merges  w f_s Phi
+//
+//    r_i+1^2 / r_i^2 = (i + alpha) / (i + 1)
+//
+// N is the number of light subpaths of a sample. The MIS weights contain all connections and merges that find a path
+// (transport/mis/mis_chain.h). Merges find caustics seen in mirrors and through glass; connections find diffuse light
+// with less noise. The bias of merges vanishes with the radius, as in `sppm`.
+//
+// Light subpaths are traced twice: first all of a sample, whose vertices are stored with 64 bytes each, and again with
+// their pixel, because connections need the whole BSDF of a vertex. Both have the same random numbers.
+//
+// In scattering media, collisions are connected but not merged.
+//
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G).*L, and the paths of bdpt
+//   Bias          consistent
+//   Cost          that of bdpt and once more its light subpaths; 64 bytes per vertex of a light subpath
+//   Limitations   Simple scenes gain nothing over path tracing. Light of media that emit is found by camera subpaths
+//                 only, and caustics of point lights in media seen through glass are not found.
+#include "integrator/bdpt/bidirectional_sampler.h"
+#include "integrator/integrator_base.h"
+#include "integrator/registration.h"
+#include "transport/path_expression/join_weights.h"
+
+namespace etendue::integrator {
+
+class Vcm final : public IntegratorBase<Vcm> {
+ public:
+  static IntegratorInfo info() {
+    return {
+        .name = "vcm",
+        .label = "Vertex connection and merging",
+        .summary = "Bidirectional path tracing combined with photon mapping by multiple importance sampling",
+        .group = Group::bidirectional,
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G).*L|E.*(D|G|V)L|E(D|G|V).*L|E.*(D|G|V)(D|G|V).*L",
+        .bias = Bias::consistent,
+        .cost = "that of bdpt and once more its light subpaths; 64 bytes per vertex of a light subpath",
+        .limitations =
+            "Simple scenes gain nothing over path tracing. Light of media that emit is found by camera subpaths only, "
+            "and caustics of point lights in media seen through glass are not found.",
+        .accumulation = Accumulation::with_splats,
+        .division = {DivisionUnit::passes, false,
+                     "The light subpaths and the radius of a sample depend on its number only. They contribute to any "
+                     "pixel."},
+        .scattering_media = true,
+        .heterogeneous_media = true,
+        .emitting_media = true,
+        .ignores_portals = true,
+    };
+  }
+
+  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
+                                            "How the techniques that find a path are weighted"};
+  Number<float> radius{
+      "radius",
+      "Initial radius",
+      0.002f,
+      {1e-6f, 1},
+      "Radius of merges in the first sample, as a fraction of the scene's diameter. Raising it reduces "
+      "noise and blurs light",
+      "",
+      Scale::logarithmic};
+  Number<float> alpha{
+      "alpha",
+      "Alpha (radius reduction)",
+      0.75f,
+      {0.01f, 1},
+      "Raising it shrinks the radius more slowly: noise falls faster, bias more slowly. 1 keeps the radius constant"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
+
+  auto parameters() { return std::tie(max_depth, heuristic, radius, alpha, roulette_start); }
+
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
+
+  // The radius of sample number `index` (from 0) of a half-buffer, relative to the first.
+  float radius_ratio(uint32_t index) const {
+    double squared = 1;
+    for (uint32_t i = 1; i <= index; ++i) squared *= (i + double{alpha}) / (i + 1.0);
+    return static_cast<float>(std::sqrt(squared));
+  }
+};
+namespace {
+
+class VcmState final : public RenderState {
+ public:
+  VcmState(const Vcm& integrator, const RenderContext& context)
+      : integrator_(integrator),
+        context_(context),
+        options_{.heuristic = integrator.heuristic,
+                 .max_depth = integrator.max_depth,
+                 .roulette_start = integrator.roulette_start,
+                 .classes = class_join(*context.model),
+                 .merges = &map_} {}
+
+  std::vector<Phase> phases(uint32_t sample) override {
+    const float diameter = 2 * context_.scene->bounds().radius();
+    const float radius = integrator_.radius * integrator_.radius_ratio(sample / film::kHalfBuffers) * diameter;
+    map_.begin(std::max(radius, kLeastRadius), light_paths());
+    lists_.resize(static_cast<size_t>((light_paths() + kTask - 1) / kTask));
+    return {{"tracing light paths", static_cast<int>(lists_.size())}, {"ordering vertices", MergeMap::kPieces}};
+  }
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
+    if (phase == 0)
+      return transport::with_scattering_model(
+          *context_.model, [&]<class M>(M) { return trace_light_paths<M>(sample, task, task_context); });
+    map_.build_piece(task, lists_);
+    return 0;
+  }
+
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_scattering_model(*context_.model, [&]<class M>(M) {
+      return sample_in_pieces<M>(at_shared_time(context_, block.sample), options_, block, radiance, task_context);
+    });
+  }
+
+  size_t memory() const override { return map_.memory(); }
+
+  std::shared_ptr<const std::vector<StoredPoint>> points() const override {
+    auto points = std::make_shared<std::vector<StoredPoint>>();
+    const size_t stride = std::max<size_t>(1, (map_.size() + kMostPoints - 1) / kMostPoints);
+    const float share = 1 / static_cast<float>(light_paths());
+    map_.for_some(stride, [&](const MergeVertex& v) { points->push_back({v.position, v.flux * share}); });
+    return points;
+  }
+
+ private:
+  static constexpr int kTask = 256;              // light subpaths
+  static constexpr float kLeastRadius = 1e-12f;  // metres; the scene can be a point
+
+  int light_paths() const { return context_.width * context_.height; }
+
+  template <class M>
+  std::optional<uint64_t> trace_light_paths(uint32_t sample, int task, const TaskContext& task_context) {
+    static_assert(kTask <= BidirectionalSubpaths<M>::kPaths);
+    static thread_local std::vector<MergeVertex> found;
+    found.clear();
+    const int first = task * kTask;
+    const auto rays = thread_sampler<M>().trace_light_paths(
+        at_shared_time(context_, sample), options_, sample, first, std::min(kTask, light_paths() - first), task_context,
+        [&](BidirectionalSubpaths<M>& subpaths, const LightSubpaths<M>& starts) { collect(subpaths, starts, found); });
+    if (rays) map_.divide(found, lists_[static_cast<size_t>(task)]);
+    return rays;
+  }
+
+  // Appends the current light vertices.
+  template <class M>
+  static void collect(BidirectionalSubpaths<M>& subpaths, const LightSubpaths<M>& starts,
+                      std::vector<MergeVertex>& found) {
+    auto& light = subpaths.light;
+    if constexpr (M::kClasses) light.draw(dimensions(vertex_dimension::kLightChoice, 1));
+    for (int i = 0; i < light.hit_count(); ++i) {
+      const scene::SurfacePoint& point = light.point(i);
+      if (!subpaths.is_on_surface(point) || !light.bsdf(i).has_non_delta_lobe()) continue;
+      const int path = light.path_at(i);
+      MergeVertex v;
+      v.flux = light.state(path).throughput * starts.flux(path);
+      if constexpr (M::kClasses) {
+        const auto drawn = transport::draw_state(light.shares(), path, light.random(vertex_dimension::kLightChoice, i));
+        v.flux *= drawn.weight;
+        v.state = drawn.state;
+      }
+      if (is_black(v.flux)) continue;
+      const transport::MisVertex& mis = subpaths.light_vertex(i);
+      v.position = point.position;
+      v.normal = point.ng;
+      v.wo = light.wo(i);
+      v.pdf = mis.pdf;
+      v.weighted_sum = mis.weighted_sum;
+      v.connectible = mis.connectible;
+      v.length = static_cast<uint16_t>(std::min(light.length(), 65535));
+      found.push_back(v);
+    }
+  }
+
+  const Vcm& integrator_;
+  const RenderContext context_;
+  MergeMap map_;
+  const BidirectionalOptions options_;
+  std::vector<MergeMap::Lists> lists_;  // by task
+};
+
+}  // namespace
+
+std::unique_ptr<RenderState> Vcm::begin(const RenderContext& context, const RenderState*) const {
+  return std::make_unique<VcmState>(*this, context);
+}
+
+Registration vcm() { return registration<Vcm>(); }
+
+}  // namespace etendue::integrator
