@@ -73,6 +73,9 @@ Result<void> apply_part(const PartArguments& arguments, uint32_t samples, render
     if (!parsed) return parsed.error();
     range = *parsed;
   }
+  // A part without a region names the whole image, so that its checkpoint differs from that of a rendering that is not
+  // divided.
+  document.part.region = render::PixelRect{0, 0, document.width, document.height};
   if (!arguments.region.empty()) {
     const auto parsed = parse_region(arguments.region, document);
     if (!parsed) return parsed.error();
@@ -84,16 +87,17 @@ Result<void> apply_part(const PartArguments& arguments, uint32_t samples, render
 }
 
 Result<void> check_resumed_part(const PartArguments& arguments, const render::Document& document) {
-  render::Document repeated = document;
-  repeated.part = {};
   if (!arguments.is_given()) return {};
+  if (document.part.is_whole())
+    return usage_error("--resume: the checkpoint is not one of a part; leave out --samples and --region");
+  render::Document repeated = document;
   if (auto ok = apply_part(arguments, 0, repeated); !ok) return ok;
   if (repeated.part == document.part && repeated.limits.samples == document.limits.samples) return {};
   const uint32_t first = document.part.first_sample;
-  const render::PixelRect all{0, 0, document.width, document.height};
-  return usage_error("--resume: a checkpoint continues with its own part: " +
-                     render::text_of({first, first + document.limits.samples, document.part.region.value_or(all)},
-                                     document.width, document.height));
+  return usage_error(
+      "--resume: a checkpoint continues with its own part: " +
+      render::text_of({first, first + document.limits.samples, document.part.region.value_or(render::PixelRect())},
+                      document.width, document.height));
 }
 
 }  // namespace etendue::cli

@@ -61,6 +61,8 @@ Result<Start> start_from_checkpoint(const std::string& file) {
   auto document = render::document_from_state(checkpoint->state, file);
   if (!document) return document.error();
   document->part = render::part_from_state(checkpoint->state);
+  if (const auto& region = document->part.region; region && !is_inside(*region, document->width, document->height))
+    return input_error(file + ": its region is not a part of the image; render this part again");
   return Start{
       .document = std::move(*document),
       .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),

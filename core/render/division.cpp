@@ -33,7 +33,8 @@ std::string division_incompatibility(const Document& document) {
   if (division.unit == integrator::DivisionUnit::none)
     return info.name + " does not divide into samples, because " + clause(division.reason) + ": use one of " +
            dividing_integrators(false);
-  if (document.part.region && !division.regions)
+  const PixelRect all{0, 0, document.width, document.height};
+  if (document.part.region.value_or(all) != all && !division.regions)
     return info.name + " does not divide into regions: " + clause(division.reason) +
            "; divide by --samples, or use one of " + dividing_integrators(true);
   if (document.method.adaptive != Adaptive::off)

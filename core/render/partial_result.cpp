@@ -151,10 +151,31 @@ uint64_t content_hash(const json& info, const image::LayeredImage& image) {
   return h;
 }
 
-bool is_inside(const SampleBox& b, int width, int height) {
-  const PixelRect& p = b.pixels;
-  return b.first < b.end && p.x >= 0 && p.y >= 0 && p.width > 0 && p.height > 0 && p.width <= width - p.x &&
-         p.height <= height - p.y;
+bool is_count(const image::Layer& layer) { return layer.name.ends_with("count"); }
+
+// Whether the file has the size of the film, all its layers and attributes, and the content that was written.
+bool is_intact(const image::LayeredImage& image, const PartInfo& info, const film::Film& film) {
+  if (image.width != film.width() || image.height != film.height() || !image.attributes.contains(kStateAttribute) ||
+      !image.attributes.contains(kTailsAttribute))
+    return false;
+  const auto has_channels = [](const image::Layer* layer) {
+    return layer && layer->channels.size() == (is_count(*layer) ? 1U : 3U);
+  };
+  return std::ranges::all_of(sample_layers(image), has_channels) && content_hash(info_json(info), image) == info.hash;
+}
+
+// Adds the counts of a half-buffer, or one term of its sums.
+void add_layer(const image::Layer& layer, film::Film& film) {
+  const uint32_t half = layer.name.starts_with(kHalfNames[0]) ? 0 : 1;
+  const bool counts = is_count(layer);
+  const float* value = layer.pixels.data();
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x, value += layer.channels.size()) {
+      if (counts)
+        film.add_sum(x, y, half, {}, static_cast<uint32_t>(*value));
+      else
+        film.add_sum(x, y, half, {double{value[0]}, double{value[1]}, double{value[2]}}, 0);
+    }
 }
 
 // Throws json::exception if a member is missing or has another type.
@@ -260,7 +281,9 @@ Result<PartInfo> read_part_info(const std::filesystem::path& path) {
                           "is a part of format " + j.at("format").dump() + ", not " + std::to_string(kPartFormat));
     PartInfo info = info_from(j, header->width, header->height);
     info.state = attributes.at(kStateAttribute);
-    const auto is_valid = [&](const SampleBox& b) { return is_inside(b, info.width, info.height); };
+    const auto is_valid = [&](const SampleBox& b) {
+      return b.first < b.end && is_inside(b.pixels, info.width, info.height);
+    };
     if (info.blocks.empty() || !std::ranges::all_of(info.blocks, is_valid) || find_overlap(info.blocks))
       return damaged_part(path, "the samples that it lists are impossible");
     return info;
@@ -273,33 +296,11 @@ Result<void> add_part(const std::filesystem::path& path, const PartInfo& info, P
   const auto image = image::read_exr(path);
   if (!image) return damaged_part(path, "it is truncated or damaged");
   film::Film& film = samples.film;
-  const auto layers = sample_layers(*image);
-  const auto& attributes = image->attributes;
-  const bool is_complete = image->width == film.width() && image->height == film.height() &&
-                           std::ranges::find(layers, nullptr) == layers.end() && attributes.contains(kStateAttribute) &&
-                           attributes.contains(kTailsAttribute);
-  if (!is_complete || content_hash(info_json(info), *image) != info.hash) return damaged_part(path, "it is damaged");
-  const auto has_channels = [](const image::Layer* layer) {
-    return layer->channels.size() == (layer->name.ends_with("count") ? 1U : 3U);
-  };
-  if (!std::ranges::all_of(layers, has_channels)) return damaged_part(path, "it is damaged");
-  const auto bytes = decode_base64(attributes.at(kTailsAttribute));
+  if (!is_intact(*image, info, film)) return damaged_part(path, "it is damaged");
+  const auto bytes = decode_base64(image->attributes.at(kTailsAttribute));
   const auto tails = bytes ? film::tail_states_from(*bytes) : std::nullopt;
   if (!tails || tails->size() != samples.tails.size()) return damaged_part(path, "its statistics are damaged");
-
-  uint32_t half = 0;
-  for (const image::Layer* layer : layers) {
-    const bool counts = layer->name.ends_with("count");
-    half = layer->name.starts_with(kHalfNames[0]) ? 0 : 1;
-    const float* value = layer->pixels.data();
-    for (int y = 0; y < film.height(); ++y)
-      for (int x = 0; x < film.width(); ++x) {
-        if (counts)
-          film.add_sum(x, y, half, {}, static_cast<uint32_t>(*value++));
-        else
-          film.add_sum(x, y, half, {double{value[0]}, double{value[1]}, double{value[2]}}, 0), value += 3;
-      }
-  }
+  for (const image::Layer* layer : sample_layers(*image)) add_layer(*layer, film);
   const size_t capacity = TailStatistics::capacity(film.width(), film.height());
   for (size_t i = 0; i < tails->size(); ++i) film::merge(samples.tails[i], (*tails)[i], capacity);
   film::InvalidSamples invalid = film.invalid_samples();

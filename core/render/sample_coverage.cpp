@@ -51,6 +51,11 @@ std::vector<PixelRect> uncovered(const std::vector<PixelRect>& rects, int width,
 
 }  // namespace
 
+bool is_inside(const PixelRect& rect, int width, int height) {
+  return rect.x >= 0 && rect.y >= 0 && rect.width > 0 && rect.height > 0 && rect.width <= width - rect.x &&
+         rect.height <= height - rect.y;
+}
+
 std::string text_of(const SampleBox& block, int width, int height) {
   const PixelRect& p = block.pixels;
   std::string text = "samples " + std::to_string(block.first) + ":" + std::to_string(block.end);

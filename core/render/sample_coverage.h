@@ -19,6 +19,9 @@ struct SampleBox {
   friend bool operator==(const SampleBox&, const SampleBox&) = default;
 };
 
+// Whether a rectangle has pixels and lies in an image of this size.
+bool is_inside(const PixelRect& rect, int width, int height);
+
 // "samples 0:16", or "samples 0:16 of region 0,0,32,32" if the block does not have all pixels of the image.
 std::string text_of(const SampleBox& block, int width, int height);
 

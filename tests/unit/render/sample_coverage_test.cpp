@@ -42,6 +42,14 @@ TEST(SampleCoverage, OverlapsAreFound) {
   EXPECT_EQ(*pair, (std::pair<size_t, size_t>{2, 0}));
 }
 
+TEST(SampleCoverage, RegionsLieInsideTheImage) {
+  EXPECT_TRUE(is_inside(kAll, kWidth, kHeight));
+  EXPECT_TRUE(is_inside({kWidth - 1, kHeight - 1, 1, 1}, kWidth, kHeight));
+  for (const PixelRect& rect :
+       {PixelRect{1, 0, kWidth, 1}, {0, -1, 1, 1}, {0, 0, 0, 1}, {2147483647, 0, 2147483647, 1}})
+    EXPECT_FALSE(is_inside(rect, kWidth, kHeight));
+}
+
 TEST(SampleCoverage, MeetingRangesAreJoined) {
   const std::vector<SampleBox> blocks{{6, 9, kAll}, {0, 2, kAll}, {2, 4, kAll}, {4, 6, {0, 0, 1, 1}}};
   EXPECT_EQ(joined(blocks), (std::vector<SampleBox>{{4, 6, {0, 0, 1, 1}}, {0, 4, kAll}, {6, 9, kAll}}));
