@@ -55,8 +55,6 @@ class Vcm final : public IntegratorBase<Vcm> {
     };
   }
 
-  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How the techniques that find a path are weighted"};
   Number<float> radius{
       "radius",
       "Initial radius",
@@ -78,7 +76,7 @@ class Vcm final : public IntegratorBase<Vcm> {
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
-  auto parameters() { return std::tie(max_depth, heuristic, radius, alpha, roulette_start); }
+  auto parameters() { return std::tie(max_depth, radius, alpha, roulette_start); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
 
@@ -96,7 +94,7 @@ class VcmState final : public RenderState {
   VcmState(const Vcm& integrator, const RenderContext& context)
       : integrator_(integrator),
         context_(context),
-        options_{.heuristic = integrator.heuristic,
+        options_{.heuristic = transport::MisHeuristic::power,
                  .max_depth = integrator.max_depth,
                  .roulette_start = integrator.roulette_start,
                  .classes = class_join(*context.model),

@@ -71,7 +71,7 @@ void expect_mean(const Document& document, uint32_t samples, double expected) {
 // Integrators that find a light through smooth boundaries.
 std::vector<std::string> see_through_glass() {
   std::vector<std::string> names = stress::unbiased_integrators();
-  names.insert(names.end(), {"whitted", "photonmap", "sppm", "igi", "mlt"});
+  names.insert(names.end(), {"whitted", "photonmap", "sppm", "vcm", "igi", "mlt"});
   return names;
 }
 
@@ -109,7 +109,7 @@ TEST(Attenuation, OfDirectLight) {
   add(scene, test::quad(3), test::diffuse(Rgb(0.5f)), at({0, -2, 0}));
   test::add_point_light(scene, {0.013f, -1, 0.017f}, 4);
   for (const char* name :
-       {"path", "distribution", "whitted", "appel", "bdpt", "pssmlt", "mlt", "igi", "sppm", "photonmap"}) {
+       {"path", "distribution", "whitted", "appel", "bdpt", "pssmlt", "mlt", "igi", "sppm", "vcm", "photonmap"}) {
     Document d = with(with_integrator(looking_down(scene, 0), name), "film.paths", "EDL");
     const auto film = test::rendered(d, 64);
     const Rgb mean = test::mean_color(film);

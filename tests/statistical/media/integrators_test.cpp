@@ -38,7 +38,8 @@ struct Form {
 constexpr Form kPath{"path", "", "", 1}, kWithoutEquiangular{"path", "equiangular", "false", 1},
     kDistribution{"distribution", "branches-2", "2", 0.5}, kLight{"light", "", "", 4}, kBdpt{"bdpt", "", "", 0.5},
     kBalance{"bdpt", "heuristic", "balance", 0.5}, kMaximum{"bdpt", "heuristic", "maximum", 0.5},
-    kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 2}, kMlt{"mlt", "", "", 4};
+    kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 2}, kMlt{"mlt", "", "", 4},
+    kMerging{"vcm", "radius", "0.003", 0.5};
 
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
                         const std::vector<Form>& forms, double largest_error = 0.02) {
@@ -69,16 +70,16 @@ constexpr const char *kSeenByLightPaths = "E[(D|G|V).*]L", *kThroughGlass = "ES.
 
 TEST(MediaPairwise, FogInTheCornellBox) {
   expect_pairs_agree(test::foggy_cornell_box(), kSeenByLightPaths, 64,
-                     {kPath, kDistribution, kLight, kBdpt, kBalance, kMaximum, kEndsOnly, kPssmlt, kMlt});
+                     {kPath, kDistribution, kLight, kBdpt, kBalance, kMaximum, kEndsOnly, kPssmlt, kMlt, kMerging});
 }
 TEST(MediaPairwise, GlassOfMilk) {
-  expect_pairs_agree(test::glass_of_milk(), kThroughGlass, 48, {kPath, kDistribution, kBdpt, kPssmlt});
+  expect_pairs_agree(test::glass_of_milk(), kThroughGlass, 48, {kPath, kDistribution, kBdpt, kPssmlt, kMerging});
 }
 TEST(MediaPairwise, BesideAGlassOfMilk) {
   expect_pairs_agree(test::glass_of_milk(), kSeenByLightPaths, 32, {kPath, kLight, kBdpt});
 }
 TEST(MediaPairwise, StoneInMurkyWater) {
-  expect_pairs_agree(test::stone_in_murky_water(), kThroughGlass, 48, {kPath, kDistribution, kBdpt, kPssmlt});
+  expect_pairs_agree(test::stone_in_murky_water(), kThroughGlass, 48, {kPath, kDistribution, kBdpt, kPssmlt, kMerging});
 }
 // Few chains mix slowly between paths of many lengths.
 TEST(MediaPairwise, MutationsBehindGlass) {
