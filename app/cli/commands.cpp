@@ -25,6 +25,7 @@
   ENTRY(list)                   \
   ENTRY(manual)                 \
   ENTRY(stress)                 \
+  ENTRY(lab)                    \
   ENTRY(completion)             \
   ENTRY(view)
 // clang-format on

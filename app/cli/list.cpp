@@ -7,6 +7,7 @@
 #include "bsdf/fresnel/metal_spectra.h"
 #include "bsdf/fresnel/optical_constants.h"
 #include "command.h"
+#include "experiments/experiment.h"
 #include "integrator/integrator.h"
 #include "json.h"
 #include "material/diffusion_of_medium.h"
@@ -18,7 +19,7 @@
 #include "scene_options.h"
 #include "section_infos.h"
 #include "spectrum/refractive_index.h"
-#include "spectrum/spectrum.h"
+#include "spectrum/spectrum_names.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
@@ -228,6 +229,15 @@ json scenes_json() {
   return list;
 }
 
+json experiments_json() {
+  json list = json::array();
+  for (const experiments::Experiment& e : experiments::experiments()) {
+    list.push_back(entry_json(e.description.name, e.description.label, e.description.summary, e.parameters));
+    list.back()["source"] = e.description.source;
+  }
+  return list;
+}
+
 json widgets_json() { return json::parse(viewer::widgets_json()); }
 
 struct Registry {
@@ -238,7 +248,7 @@ constexpr Registry kRegistries[] = {
     {"integrators", integrators_json}, {"samplers", samplers_json}, {"materials", materials_json},
     {"lights", lights_json},           {"media", media_json},       {"phase-functions", phase_functions_json},
     {"densities", densities_json},     {"spectra", spectra_json},   {"scenes", scenes_json},
-    {"widgets", widgets_json}};
+    {"experiments", experiments_json}, {"widgets", widgets_json}};
 
 std::string registry_names() {
   std::string names;

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "bsdf/bsdf_model.h"
+#include "experiments/experiment.h"
+#include "experiments/experiment_output.h"
 #include "film/film_image.h"
 #include "image/display.h"
 #include "image/image.h"
@@ -32,7 +34,7 @@ class ImageWriter {
 
   Result<void> render(const std::string& kind, const std::string& name, render::Document document,
                       uint32_t samples) const {
-    if (only_missing_ && has(kind, name)) return {};
+    if (is_kept(kind, name)) return {};
     document.width = kWidth;
     document.height = kHeight;
     const film::Film film = render::rendered(document, samples, threads_);
@@ -52,6 +54,9 @@ class ImageWriter {
     std::error_code error;
     return std::filesystem::exists(path_of(kind, name), error);
   }
+
+  // Whether the image exists and is to be kept.
+  bool is_kept(const std::string& kind, const std::string& name) const { return only_missing_ && has(kind, name); }
 
   int threads() const { return threads_; }
 
@@ -242,14 +247,32 @@ Result<void> write_stress_case(const ImageWriter& out, const stress::Case& c) {
   return {};
 }
 
+// The charts of an experiment with its default parameters.
+Result<void> write_experiments(const ImageWriter& out) {
+  for (const auto& e : experiments::experiments()) {
+    if (out.is_kept("experiment", e.description.name)) continue;
+    const auto result = e.run({}, {});
+    if (!result) return result.error();
+    metrics::ChartOptions options;
+    options.width = 720;
+    options.height = 400;
+    const metrics::Drawing drawing = experiments::drawing_of(*result, options);
+    if (auto ok =
+            out.write("experiment", e.description.name, drawing.width, drawing.height, metrics::rasterize(drawing));
+        !ok)
+      return ok;
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> write_manual_images(const std::filesystem::path& folder, int threads, bool only_missing) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const ImageWriter out(folder, threads, only_missing);
-  for (const auto write :
-       {write_integrators, write_samplers, write_surfaces, write_lights, write_environments, write_scenes_and_cameras})
+  for (const auto write : {write_integrators, write_samplers, write_surfaces, write_lights, write_environments,
+                           write_scenes_and_cameras, write_experiments})
     if (auto ok = write(out); !ok) return ok;
   for (const auto& c : stress::cases())
     if (auto ok = write_stress_case(out, c); !ok) return ok;

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "bsdf/bsdf_model.h"
 #include "command.h"
+#include "experiments/experiment.h"
 #include "integrator/integrator.h"
 #include "light/environments/builtin_environment.h"
 #include "light/light.h"
@@ -298,6 +299,20 @@ ManualPage stress_page(const SourceFiles& sources, const stress::Case& c) {
               code(std::string("etendue stress ") + c.name) + ".\n\n" + source_line(sources, case_file(c))};
 }
 
+// ---- Experiments
+
+ManualPage experiment_page(const SourceFiles& sources, const experiments::Experiment& experiment) {
+  const experiments::ExperimentDescription& d = experiment.description;
+  PropertyTable properties;
+  properties.add("Name", code(d.name));
+  properties.add("References", markdown_prose(d.source, kReferences));
+  return {std::string("experiments/") + d.name + ".md",
+          title(d.label, d.summary) + image("experiment", d.name, d.label) + properties.text() + "## Method\n\n" +
+              sources.head_comment(d.file).markdown + parameter_table(experiment.parameters) + "Run it with " +
+              code(std::string("etendue lab ") + d.name) + ", or in the panel *Lab*.\n\n" +
+              source_line(sources, d.file)};
+}
+
 // ---- Command line
 
 std::string bounds_text(const CommandOption& option) {
@@ -339,7 +354,8 @@ constexpr Chapter kChapters[] = {{"integrators", "Integrators"},
                                  {"environments", "Environments"},
                                  {"cameras", "Cameras"},
                                  {"scenes", "Built-in scenes"},
-                                 {"stress", "Stability cases"}};
+                                 {"stress", "Stability cases"},
+                                 {"experiments", "Experiments"}};
 
 // The title of a page and the paragraph below it.
 std::string index_line(const ManualPage& page) {
@@ -380,6 +396,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   std::ranges::move(camera_pages(sources), std::back_inserter(pages));
   for (const auto& builtin : scene::builtins()) pages.push_back(scene_page(builtin));
   for (const auto& c : stress::cases()) pages.push_back(stress_page(sources, c));
+  for (const auto& e : experiments::experiments()) pages.push_back(experiment_page(sources, e));
   pages.push_back(index_page(pages));
   pages.push_back(command_line_page());
   pages.push_back({"etendue.1", man_page()});

@@ -1,5 +1,5 @@
 // etendue spectrum: colour and luminous efficacy of the spectrum of a light.
-#include "spectrum/spectrum.h"
+#include "spectrum/spectrum_names.h"
 
 #include <cmath>
 #include <cstdio>

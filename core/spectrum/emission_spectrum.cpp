@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "spectrum/spectrum_names.h"
 #include "spectrum/uplift.h"
 
 namespace etendue {
@@ -97,7 +98,8 @@ Text emission_spectrum_parameter(const char* name, const EmissionSpectrumRef& va
       "Spectrum",
       value ? value.name : kNoSpectrum,
       "Distribution over the wavelengths: an illuminant, a temperature such as 2700K, points such as 400:0.2 700:1, "
-      "or a file with a wavelength in nm and a value per row. The colour multiplies it. None: a smooth spectrum of the colour",
+      "or a file with a wavelength in nm and a value per row. The colour multiplies it. None: a smooth spectrum of the "
+      "colour",
       accepts_emission_spectrum,
       spectrum_presets()};
 }

@@ -48,7 +48,7 @@ struct EmissionSpectrumRef : NamedSpectrum<EmissionSpectrum> {
 // Stands for an emitter whose spectrum follows from its RGB colour.
 inline constexpr const char* kNoSpectrum = "none";
 
-// kNoSpectrum, or a name of find_spectrum (spectrum.h).
+// kNoSpectrum, or a name of find_spectrum (spectrum_names.h).
 Result<EmissionSpectrumRef> find_emission_spectrum(std::string_view name);
 // The same; no spectrum if the name is not valid.
 EmissionSpectrumRef emission_spectrum_or_none(std::string_view name);

@@ -87,7 +87,8 @@ class Chart {
       if (!range)
         all.emplace_back();
       else if (range->first < range->last)
-        all.push_back(error_band(method, options_.abscissa, options_.measure, log_grid(range->first, range->last, steps)));
+        all.push_back(
+            error_band(method, options_.abscissa, options_.measure, log_grid(range->first, range->last, steps)));
       else
         all.push_back(error_band(method, options_.abscissa, options_.measure, std::array{range->first}));
     }
@@ -144,8 +145,10 @@ class Chart {
     drawing_.shapes.push_back(
         Polyline{.points = {{margins_.left, margins_.top}, {margins_.left, bottom()}, {right(), bottom()}},
                  .color = options_.palette.text});
-    const std::string kind = film::measure_label(options_.measure);
-    const std::string x_label = options_.abscissa == Abscissa::seconds ? "seconds" : "samples per pixel";
+    const std::string kind = error_label();
+    const std::string x_label = options_.abscissa == Abscissa::seconds ? "seconds"
+                                : options_.work_label.empty()          ? "samples per pixel"
+                                                                       : options_.work_label;
     // Curves fall, so the upper right corner is free.
     if (options_.embedded) return add_text(right() - 8, margins_.top + 18, kind + " over " + x_label, Anchor::right);
     add_text(margins_.left, 20, options_.title, Anchor::left, options_.palette.text, kTitle);
@@ -193,10 +196,15 @@ class Chart {
   }
 
   std::string tooltip(size_t i, const BandPoint& p) const {
-    const std::string unit = options_.abscissa == Abscissa::seconds ? " s" : " spp";
-    return methods_[i].name + "\n" + short_number(p.x) + unit + "\n" +
-           film::measure_label(options_.measure) + " " + error_number(p.median) + " (" + error_number(p.low) + " to " +
-           error_number(p.high) + ")";
+    const std::string unit = options_.abscissa == Abscissa::seconds ? " s"
+                             : options_.work_label.empty()          ? " spp"
+                                                                    : " " + options_.work_label;
+    return methods_[i].name + "\n" + short_number(p.x) + unit + "\n" + error_label() + " " +
+           error_number(p.median) + " (" + error_number(p.low) + " to " + error_number(p.high) + ")";
+  }
+
+  std::string error_label() const {
+    return options_.error_label.empty() ? film::measure_label(options_.measure) : options_.error_label;
   }
 
   std::string error_number(double error) const {
@@ -212,14 +220,15 @@ class Chart {
     if (name.size() > max_length) name = name.substr(0, max_length) + "..";
     const size_t complete = complete_repeats(methods_[i], options_.abscissa).repeats.size();
     if (complete > 0 && complete < methods_[i].repeats.size())
-      name += ", median of " + std::to_string(complete) + " of " + std::to_string(methods_[i].repeats.size()) + " repeats";
+      name +=
+          ", median of " + std::to_string(complete) + " of " + std::to_string(methods_[i].repeats.size()) + " repeats";
     add_text(margins_.left + 38, y + 4, name);
     add_text(right(), y + 4, slope_text(methods_[i]), Anchor::right, options_.palette.secondary_text);
   }
 
   std::string slope_text(const MethodCurves& method) const {
-    const Estimate slope = slope_of(complete_repeats(method, options_.abscissa), options_.abscissa, options_.noise,
-                                    options_.measure);
+    const Estimate slope =
+        slope_of(complete_repeats(method, options_.abscissa), options_.abscissa, options_.noise, options_.measure);
     if (!slope.known) return "no error to draw";
     char text[64];
     if (slope.degrees > 0)

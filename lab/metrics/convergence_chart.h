@@ -24,7 +24,10 @@ struct ChartOptions {
   ReferenceNoise noise = {};  // the noise that was subtracted from the curves; weights the fitted slopes
   // For a panel that shows title and legend itself: draws neither, and dots only at the ends of the curves.
   bool embedded = false;
-  double x_extent = 0;  // minimum end of the abscissa, so that growing curves do not rescale it
+  // What `ErrorPoint::spp` counts, if it is not samples per pixel: "evaluations".
+  std::string work_label = {};
+  std::string error_label = {};  // empty: the label of the measure
+  double x_extent = 0;           // minimum end of the abscissa, so that growing curves do not rescale it
   ChartPalette palette = {};
 };
 

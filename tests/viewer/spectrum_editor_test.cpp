@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scripted.h"
+#include "spectrum/spectrum_names.h"
 #include "spectrum/spectrum_points.h"
 
 namespace etendue {

@@ -17,6 +17,7 @@
   PANEL(sampling)      \
   PANEL(trace)         \
   PANEL(surface)       \
+  PANEL(lab)           \
   PANEL(messages)
 
 namespace etendue::viewer {

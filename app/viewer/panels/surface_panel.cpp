@@ -23,33 +23,10 @@ namespace {
 
 using Measurements = std::vector<const SurfaceMeasurement*>;
 
-metrics::ChartPalette chart_palette(const Theme& theme) {
-  metrics::ChartPalette palette;
-  palette.text = chart_color(theme.text);
-  palette.secondary_text = chart_color(theme.secondary_text);
-  palette.grid = palette.secondary_text;
-  palette.grid.opacity = 0.7;
-  palette.minor_grid = palette.secondary_text;
-  palette.minor_grid.opacity = 0.25;
-  return palette;
-}
-
 std::vector<std::string> model_names(const Measurements& measurements) {
   std::vector<std::string> names;
   for (const auto* measurement : measurements) names.push_back(measurement->model);
   return names;
-}
-
-// Draws a chart as an item of this size. Returns true while it is dragged.
-bool draw_chart(UiContext& ui, const char* name, const Vec2& size, const metrics::Drawing& drawing) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton(name, {size.x, size.y});
-  ui.items.add(name);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-  paint(*list, drawing, corner, ui.scale, ui.fonts.small);
-  list->PopClipRect();
-  return ImGui::IsItemActive();
 }
 
 class SurfacePanel final : public Panel {

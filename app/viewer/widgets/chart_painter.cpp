@@ -124,4 +124,26 @@ metrics::Color chart_color(const ImVec4& color) {
   return {byte_of(color.x), byte_of(color.y), byte_of(color.z), static_cast<double>(color.w)};
 }
 
+bool draw_chart(UiContext& ui, const std::string& name, const Vec2& size, const metrics::Drawing& drawing) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(name.c_str(), {size.x, size.y});
+  ui.items.add(name);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+  paint(*list, drawing, corner, ui.scale, ui.fonts.small);
+  list->PopClipRect();
+  return ImGui::IsItemActive();
+}
+
+metrics::ChartPalette chart_palette(const Theme& theme) {
+  metrics::ChartPalette palette;
+  palette.text = chart_color(theme.text);
+  palette.secondary_text = chart_color(theme.secondary_text);
+  palette.grid = palette.secondary_text;
+  palette.grid.opacity = 0.7;
+  palette.minor_grid = palette.secondary_text;
+  palette.minor_grid.opacity = 0.25;
+  return palette;
+}
+
 }  // namespace etendue::viewer

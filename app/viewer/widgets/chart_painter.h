@@ -2,13 +2,23 @@
 #pragma once
 #include <imgui.h>
 
+#include <string>
+
+#include "metrics/convergence_chart.h"
 #include "metrics/drawing.h"
+#include "viewer/widgets/ui_context.h"
 
 namespace etendue::viewer {
 
 // `corner` is the upper left corner of the drawing on screen, `scale` the size of one unit of the drawing in pixels.
 // Text is drawn at the size of `font`, independent of the size in the drawing, because scaled glyphs would be blurred.
 void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
+
+// Draws a chart as an item of this size and name. Returns true while it is dragged.
+bool draw_chart(UiContext& ui, const std::string& name, const Vec2& size, const metrics::Drawing& drawing);
+
+// The colours of the axes of charts in this theme.
+metrics::ChartPalette chart_palette(const Theme& theme);
 
 ImU32 color_of(const metrics::Color& color);
 metrics::Color chart_color(const ImVec4& color);

@@ -13,9 +13,9 @@
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"
+#include "integrator/mlt/medium_lights.h"
 #include "integrator/mlt/volume_scattering.h"
 #include "integrator/shared/camera_paths.h"
-#include "integrator/shared/emission_starts.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/medium_tracing.h"
@@ -62,7 +62,7 @@ class PathSpace {
   // Samples x_0; for infinite lights, its direction.
   bool sample_light(ChainRandom& random, Path& path) {
     scene::MediumStack stack;
-    const Emission e = sample_emission(random, path.time, stack);
+    const Emission e = sample_emission<M::kScattering>(*scene_, media_share_, random, path.time, stack);
     if (!(e.density.first > 0)) return false;
     if constexpr (M::kScattering)
       if (e.kind == LightKind::medium) {
@@ -249,34 +249,6 @@ class PathSpace {
     x.delta = s.delta;
     x.transmitted = s.transmitted;
     return true;
-  }
-
-  Emission sample_emission(ChainRandom& random, float time, [[maybe_unused]] scene::MediumStack& stack) const {
-    const float choice = random.next();
-    const Vec2 point = random.next_2d(), direction = random.next_2d();
-    const EmissionRandom numbers(choice, point, direction, time);
-    if constexpr (M::kScattering)
-      if (media_share_ > 0) {
-        Emission e;
-        sample_start(*scene_, numbers, random.next(), media_share_, e, stack);
-        return e;
-      }
-    return scene_->lights().sample_emission(numbers);
-  }
-
-  // Makes a point of a medium that emits the light vertex. Camera subpaths do not hit it: it is no surface.
-  void start_in_medium(const Emission& e, const scene::MediumStack& stack, Path& path) const requires(M::kScattering) {
-    path.light = {LightKind::medium, Path::Light::kUnlisted, false, false, e.density.first, e.density.second};
-    Vertex& x = path[0];
-    x.delta = false;
-    x.media.interface.clear(stack);
-    leave_volume(x);
-    x.point.position = e.position;
-    place_in_medium(x);
-  }
-  static void place_in_medium(Vertex& x) {
-    const Vec3 position = x.point.position;
-    transport::set_volume_point({.position = position}, Vec3(0, 0, 1), x.point);
   }
 
   // Finds the surface that a ray hits if it starts in this medium state, or the collision before it. In models with
@@ -507,7 +479,7 @@ class PathSpace {
       if (path.edges() == 1 && !map.visible()) return false;
     } else if (light.kind == LightKind::medium) {
       // Its densities are those with which it was sampled.
-      light.emitted = emission_in_medium(path[0]);
+      light.emitted = emission_in_medium(*scene_, path[0]);
       return !is_black(light.emitted);
     } else {
       // Lights without extent are not directly visible.
@@ -523,14 +495,6 @@ class PathSpace {
     if constexpr (M::kScattering)
       if (light.infinite && scene_->atmosphere_is_unbounded()) return false;
     return !is_black(light.emitted);
-  }
-
-  // The emission coefficient at a vertex in a medium, radiance per metre.
-  Rgb emission_in_medium([[maybe_unused]] const Vertex& x) const {
-    if constexpr (M::kScattering)
-      return scene_->solids().emission_at(x.media.interface.side(true), x.point.position);
-    else
-      return Rgb(0);
   }
 
   // An unlit surface (KHR_materials_unlit) is directly visible but lights nothing.

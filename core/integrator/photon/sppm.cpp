@@ -38,6 +38,7 @@
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/photon/photon_paths.h"
+#include "integrator/photon/pixel_footprint.h"
 #include "integrator/registration.h"
 
 namespace etendue::integrator {
@@ -139,19 +140,6 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
 };
 namespace {
 
-// The width of a pixel in the center of the image: `angle` per metre of path length plus `width`.
-struct Footprint {
-  float angle = 0, width = 0;
-
-  Footprint(const CameraRays& camera, int image_width, int height) {
-    const Vec2 center(0.5f * static_cast<float>(image_width), 0.5f * static_cast<float>(height)), lens(0.5f);
-    const Ray a = camera.ray(center, lens), b = camera.ray(center + Vec2(1, 0), lens);
-    angle = glm::length(glm::cross(a.direction, b.direction));
-    width = glm::distance(a.origin, b.origin);
-  }
-  float over(float length) const { return width + angle * length; }
-};
-
 class State final : public RenderState {
  public:
   State(const ProgressivePhotonMapping& integrator, const RenderContext& context)
@@ -244,7 +232,7 @@ class State final : public RenderState {
 
   const ProgressivePhotonMapping& integrator_;
   const RenderContext context_;
-  const Footprint footprint_;
+  const PixelFootprint footprint_;
   PhotonEmission emission_;
   float radius_ = 0;         // pixels
   float volume_radius_ = 0;  // metres

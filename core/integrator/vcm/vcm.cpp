@@ -24,6 +24,7 @@
 //                 only, and caustics of point lights in media seen through glass are not found.
 #include "integrator/bdpt/bidirectional_sampler.h"
 #include "integrator/integrator_base.h"
+#include "integrator/photon/pixel_footprint.h"
 #include "integrator/registration.h"
 #include "transport/path_expression/join_weights.h"
 
@@ -58,11 +59,11 @@ class Vcm final : public IntegratorBase<Vcm> {
   Number<float> radius{
       "radius",
       "Initial radius",
-      0.002f,
-      {1e-6f, 1},
-      "Radius of merges in the first sample, as a fraction of the scene's diameter. Raising it reduces "
-      "noise and blurs light",
-      "",
+      2,
+      {0.001f, 1000},
+      "Radius of merges in the first sample, in pixels at the distance of the scene's centre (at least "
+      "the scene's radius). Raising it reduces noise and blurs light",
+      "px",
       Scale::logarithmic};
   Number<float> alpha{
       "alpha",
@@ -94,6 +95,7 @@ class VcmState final : public RenderState {
   VcmState(const Vcm& integrator, const RenderContext& context)
       : integrator_(integrator),
         context_(context),
+        pixel_(pixel_width(context)),
         options_{.heuristic = transport::MisHeuristic::power,
                  .max_depth = integrator.max_depth,
                  .roulette_start = integrator.roulette_start,
@@ -101,8 +103,7 @@ class VcmState final : public RenderState {
                  .merges = &map_} {}
 
   std::vector<Phase> phases(uint32_t sample) override {
-    const float diameter = 2 * context_.scene->bounds().radius();
-    const float radius = integrator_.radius * integrator_.radius_ratio(sample / film::kHalfBuffers) * diameter;
+    const float radius = integrator_.radius * integrator_.radius_ratio(sample / film::kHalfBuffers) * pixel_;
     map_.begin(std::max(radius, kLeastRadius), light_paths());
     lists_.resize(static_cast<size_t>((light_paths() + kTask - 1) / kTask));
     return {{"tracing light paths", static_cast<int>(lists_.size())}, {"ordering vertices", MergeMap::kPieces}};
@@ -135,6 +136,16 @@ class VcmState final : public RenderState {
  private:
   static constexpr int kTask = 256;              // light subpaths
   static constexpr float kLeastRadius = 1e-12f;  // metres; the scene can be a point
+
+  // In metres, at the distance of the scene's centre; for a camera inside of the scene, at the radius of the scene.
+  static float pixel_width(const RenderContext& context) {
+    const Bounds& bounds = context.scene->bounds();
+    if (bounds.empty()) return 0;
+    const Vec2 size(static_cast<float>(context.width), static_cast<float>(context.height));
+    const Vec3 center = (bounds.min + bounds.max) * 0.5f, eye = context.camera->ray(size * 0.5f, Vec2(0.5f)).origin;
+    return PixelFootprint(*context.camera, context.width, context.height)
+        .over(std::max(glm::distance(eye, center), bounds.radius()));
+  }
 
   int light_paths() const { return context_.width * context_.height; }
 
@@ -183,6 +194,7 @@ class VcmState final : public RenderState {
 
   const Vcm& integrator_;
   const RenderContext context_;
+  const float pixel_;
   MergeMap map_;
   const BidirectionalOptions options_;
   std::vector<MergeMap::Lists> lists_;  // by task

@@ -21,7 +21,7 @@ const std::vector<Variant> kVariants{
     {"photonmap", {{"photonmap.photons", "3000"}, {"photonmap.caustic-photons", "3000"}}},
     {"photonmap", {{"photonmap.photons", "3000"}, {"photonmap.mode", "direct"}, {"photonmap.renew", "on"}}},
     {"sppm", {{"sppm.photons", "3000"}}},
-    {"vcm", {{"vcm.radius", "0.02"}}},
+    {"vcm", {{"vcm.radius", "1"}}},
     {"igi", {{"igi.light-paths", "20"}, {"igi.interleave", "3"}, {"igi.bound", "3"}}},
     {"igi", {{"igi.light-paths", "9"}, {"igi.full-bsdf", "on"}, {"igi.renew", "off"}}}};
 

@@ -24,7 +24,7 @@ TEST(VertexMerging, IntegratingSphere) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kShare * kAlbedo / (1 - kAlbedo);
   const Document place =
       with(test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 32), "film.paths", "ED.*L");
-  const test::Mean mean = test::mean_of(test::rendered(merging(place, "0.015"), 64));
+  const test::Mean mean = test::mean_of(test::rendered(merging(place, "0.9"), 64));
   EXPECT_NEAR(mean.value, kMean, 4 * mean.standard_error + 2e-3 * kMean);
   EXPECT_LT(mean.standard_error, 0.005 * kMean);
 }
@@ -33,7 +33,7 @@ TEST(VertexMerging, IntegratingSphere) {
 TEST(VertexMerging, WithoutARadiusIsBidirectional) {
   const Document place = test::balls_under_area_light();
   const auto connected = test::rendered(with(with_integrator(place, "bdpt"), "film.paths", "E.*L"), 4);
-  const auto merged = test::rendered(with(merging(place, "1e-6"), "film.paths", "E.*L"), 4);
+  const auto merged = test::rendered(with(merging(place, "0.002"), "film.paths", "E.*L"), 4);
   for (int y = 0; y < place.height; ++y)
     for (int x = 0; x < place.width; ++x)
       for (int c = 0; c < 3; ++c)
@@ -42,7 +42,7 @@ TEST(VertexMerging, WithoutARadiusIsBidirectional) {
 
 TEST(VertexMerging, AgreesWithPathTracing) {
   const Document area = test::balls_under_area_light(), sky = test::balls_under_sky();
-  for (const char* radius : {"0.002", "0.006"}) {
+  for (const char* radius : {"0.2", "0.6"}) {
     expect_same_mean(with_integrator(area, "path"), 512, merging(area, radius), 128, "area light", 4);
     expect_same_mean(with_integrator(sky, "path"), 512, merging(sky, radius), 128, "sky", 4);
   }
@@ -51,14 +51,14 @@ TEST(VertexMerging, AgreesWithPathTracing) {
 // A wide lens can be hit by light paths.
 TEST(VertexMerging, AgreesWithPathTracingThroughALens) {
   const Document d = test::with_lens(test::balls_under_area_light());
-  expect_same_mean(with_integrator(d, "path"), 512, merging(d, "0.004"), 128, "lens", 1);
+  expect_same_mean(with_integrator(d, "path"), 512, merging(d, "0.4"), 128, "lens", 1);
 }
 
 TEST(VertexMerging, PathClassesAgree) {
   const Document d = test::balls_under_area_light();
   for (const char* paths : {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "ED.*GL|ES.*L", "E.G.*L"})
     expect_same_mean(with_integrator(with(d, "film.paths", paths), "path"), 512,
-                     merging(with(d, "film.paths", paths), "0.003"), 128, paths, 5);
+                     merging(with(d, "film.paths", paths), "0.3"), 128, paths, 5);
 }
 
 // A point light above a slab of glass, and a floor that is seen through the slab: neither subpath hits the end of the
@@ -77,7 +77,7 @@ TEST(VertexMerging, FindsCausticsSeenThroughGlass) {
   };
   const double expected = mean(with(with(with_integrator(d, "sppm"), "radius", "0.5"), "photons", "20000"), 256);
   EXPECT_EQ(mean(with_integrator(d, "bdpt"), 16), 0);
-  EXPECT_NEAR(mean(merging(d, "0.004"), 1024), expected, 0.04 * expected);
+  EXPECT_NEAR(mean(merging(d, "0.4"), 1024), expected, 0.04 * expected);
 }
 
 // The radius shrinks, and with it the blur of a caustic.
@@ -91,7 +91,7 @@ TEST(VertexMerging, BiasFallsAsTheRadiusShrinks) {
       for (int x = 0; x < d.width; ++x) sum += sqr(double{film.mean(x, y).g} - double{reference.mean(x, y).g});
     return sum;
   };
-  EXPECT_LT(squared_error("0.02"), 0.5 * squared_error("0.1"));
+  EXPECT_LT(squared_error("0.6"), 0.5 * squared_error("3"));
 }
 
 }  // namespace

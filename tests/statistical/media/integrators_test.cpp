@@ -39,7 +39,7 @@ constexpr Form kPath{"path", "", "", 1}, kWithoutEquiangular{"path", "equiangula
     kDistribution{"distribution", "branches-2", "2", 0.5}, kLight{"light", "", "", 4}, kBdpt{"bdpt", "", "", 0.5},
     kBalance{"bdpt", "heuristic", "balance", 0.5}, kMaximum{"bdpt", "heuristic", "maximum", 0.5},
     kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 2}, kMlt{"mlt", "", "", 4},
-    kMerging{"vcm", "radius", "0.003", 0.5};
+    kMerging{"vcm", "radius", "0.3", 0.5};
 
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
                         const std::vector<Form>& forms, double largest_error = 0.02) {

@@ -10,6 +10,7 @@
 #include "render/measured_spectrum.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/observer.h"
+#include "spectrum/spectrum_names.h"
 #include "spectrum/uplift.h"
 #include "statistical/media/expected_radiance.h"
 #include "support/integrator_scenes.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "spectrum/spectrum_names.h"
 #include "spectrum/uplift.h"
 
 namespace etendue {

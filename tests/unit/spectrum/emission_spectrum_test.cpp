@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "spectrum/observer.h"
+#include "spectrum/spectrum_names.h"
 #include "spectrum/uplift.h"
 
 namespace etendue {

@@ -7,6 +7,7 @@
 
 #include "medium/coefficient_spectrum.h"
 #include "spectrum/emission_spectrum.h"
+#include "spectrum/spectrum_names.h"
 
 namespace etendue {
 namespace {

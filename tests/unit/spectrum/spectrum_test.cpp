@@ -1,5 +1,5 @@
 // Spectra of light: values, colours, files and bad input.
-#include "spectrum/spectrum.h"
+#include "spectrum/spectrum_names.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "light/environments/builtin_environment.h"
 #include "scene/gltf/export/output_file.h"
 #include "scene/gltf/transport_extension.h"
+#include "spectrum/spectrum_names.h"
 
 namespace etendue::scene::gltf {
 namespace {

@@ -12,6 +12,7 @@
 #include "scene/gltf/import/uri.h"
 #include "scene/gltf/transport_extension.h"
 #include "scene/variants.h"
+#include "spectrum/spectrum_names.h"
 
 namespace etendue::scene::gltf {
 namespace {
