@@ -9,6 +9,7 @@
 // clang-format off
 #define ETENDUE_COMMANDS(ENTRY) \
   ENTRY(render)                 \
+  ENTRY(merge)                  \
   ENTRY(compare)                \
   ENTRY(bench)                  \
   ENTRY(advise)                 \

@@ -57,6 +57,9 @@ json integrators_json() {
     j["bias"] = integrator::bias_name(info.bias);
     j["cost"] = info.cost;
     j["fails"] = info.limitations;
+    j["division"] = {{"unit", integrator::division_name(info.division.unit)},
+                     {"regions", info.division.regions},
+                     {"reason", info.division.reason}};
     list.push_back(j);
   }
   return list;

@@ -118,6 +118,12 @@ std::string stress_case_list(const SourceFiles& sources, const integrator::Integ
   return text.empty() ? "" : "## Stability cases\n\n" + text + "\n";
 }
 
+// How a rendering divides into parts that etendue merge joins.
+std::string division_text(const integrator::Division& division) {
+  if (division.unit == integrator::DivisionUnit::none) return "nothing. " + division.reason;
+  return (division.regions ? "samples and regions. " : "samples. ") + division.reason;
+}
+
 ManualPage integrator_page(const SourceFiles& sources, const integrator::IntegratorInfo& info) {
   const HeadComment head = sources.head_comment(info.file);
   PropertyTable properties;
@@ -129,6 +135,7 @@ ManualPage integrator_page(const SourceFiles& sources, const integrator::Integra
   properties.add("Bias", std::string(integrator::bias_name(info.bias)));
   properties.add("Cost", markdown_prose(info.cost, kReferences));
   properties.add("Known limitations", markdown_prose(info.limitations, kReferences));
+  properties.add("Divides into", division_text(info.division));
   return {"integrators/" + info.name + ".md", title(info.label, info.summary) +
                                                   image("integrator", info.name, info.label) + properties.text() +
                                                   "## Method\n\n" + head.markdown + parameter_table(info.parameters) +

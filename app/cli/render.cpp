@@ -9,19 +9,21 @@
 #include <sstream>
 #include <thread>
 
-#include "advisor/certificate.h"
 #include "advisor/method_choice.h"
-#include "base/file.h"
 #include "base/number_text.h"
+#include "bench/reference_key.h"
 #include "command.h"
 #include "interrupt.h"
+#include "part_options.h"
 #include "progress_bar.h"
-#include "render/aov.h"
 #include "render/checkpoint.h"
+#include "render/division.h"
 #include "render/image_output.h"
 #include "render/incompatibility.h"
+#include "render/partial_result.h"
 #include "render/session.h"
 #include "render/session_file.h"
+#include "render_results.h"
 #include "render_statistics.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
@@ -30,13 +32,10 @@ namespace etendue::cli {
 namespace {
 
 constexpr uint32_t kDefaultSamples = 64;  // per pixel, without any limit
-constexpr uint32_t kAovSamples = 16;      // per pixel
-// Time for finding out which light paths the method may miss: a fraction of the rendering time, with an upper limit in
-// seconds.
-constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
 
 struct RenderArguments {
   SceneArguments scene;
+  PartArguments part;
   std::string out, png, integrator, sampler, aovs, json, resume, like, measure;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
@@ -61,6 +60,9 @@ Result<Start> start_from_checkpoint(const std::string& file) {
   if (!checkpoint) return checkpoint.error();
   auto document = render::document_from_state(checkpoint->state, file);
   if (!document) return document.error();
+  document->part = render::part_from_state(checkpoint->state);
+  if (const auto& region = document->part.region; region && !is_inside(*region, document->width, document->height))
+    return input_error(file + ": its region is not a part of the image; render this part again");
   return Start{
       .document = std::move(*document),
       .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),
@@ -151,35 +153,6 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   return {};
 }
 
-// Splits the argument of --aov. "all" stands for the AOVs of first hits, "media" for the terms of the equation of
-// transfer.
-Result<std::vector<std::string>> parse_aovs(const std::string& text) {
-  std::vector<std::string> names;
-  const auto& of_media = render::medium_aov_names();
-  std::vector<std::string> known = render::aov_names();
-  const size_t of_hits = known.size();
-  known.insert(known.end(), of_media.begin(), of_media.end());
-  std::istringstream stream(text);
-  for (std::string name; std::getline(stream, name, ',');) {
-    if (name == "all") {
-      names.insert(names.end(), known.begin(), known.begin() + static_cast<std::ptrdiff_t>(of_hits));
-      continue;
-    }
-    if (name == "media") {
-      names.insert(names.end(), of_media.begin(), of_media.end());
-      continue;
-    }
-    if (name.empty()) continue;
-    if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
-      std::string all = "sample-count";
-      for (const auto& k : known) all += ", " + k;
-      return usage_error("--aov: there is no layer '" + name + "'; give some of " + all);
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
 std::string progress_text(const render::Status& s) {
   std::string text = std::to_string(s.samples) + " spp  " + format_rate(s.paths_per_second, "samples") + "  " +
                      format_rate(s.rays_per_second, "rays");
@@ -190,20 +163,12 @@ std::string progress_text(const render::Status& s) {
   return text;
 }
 
-std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
-                           const film::Film& film) {
-  const double seconds = std::min(kCertificateSeconds, kCertificateFraction * s.seconds);
-  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                           s.reliability ? s.reliability->tail.khat : std::optional<double>()};
-  return advisor::certificate_json(
-      advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
-}
-
 // One rendering: runs the session with progress and checkpoints, then writes the results.
 class RenderJob {
  public:
-  RenderJob(const RenderArguments& a, std::vector<std::string> aovs, Start start)
+  RenderJob(const RenderArguments& a, std::vector<std::string> aovs, Start start, bool writes_part)
       : a_(a),
+        writes_part_(writes_part),
         aovs_(std::move(aovs)),
         document_(std::move(start.document)),
         earlier_seconds_(start.seconds),
@@ -225,9 +190,13 @@ class RenderJob {
     print_incompatibility();
     if (interrupted && a_.checkpoint_interval > 0)
       if (auto ok = write_checkpoint(); !ok) return fail(ok.error());
-    if (auto ok = write_results(); !ok) return fail(ok.error());
-    if (status_.reliability && status_.reliability->verdict == render::Verdict::unreliable)
-      std::fprintf(stderr, "etendue: %s: unreliable: %s\n", a_.out.c_str(), status_.reliability->reason.c_str());
+    if (interrupted && writes_part_) {
+      std::fprintf(stderr, "etendue: interrupted at %u spp; %s was not written, because a part needs all its samples\n",
+                   status_.samples, a_.out.c_str());
+      return static_cast<int>(Fault::interrupted);
+    }
+    if (auto ok = write_files(); !ok) return fail(ok.error());
+    if (!writes_part_) print_reliability(a_.out, status_);
     if (interrupted) {
       std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds the result so far\n", status_.samples,
                    a_.out.c_str());
@@ -303,42 +272,43 @@ class RenderJob {
                                                        .integrator_state = std::move(point.integrator_state)});
   }
 
-  Result<void> write_results() {
-    const film::Film film = session_.film_copy();
-    const transport::Model model = session_.model();
-    render::Rendering rendering{.document = document_,
-                                .film = film,
-                                .samples = status_.samples,
-                                .certificate = {},
-                                .reweighted = session_.reweighted_copy()};
-    rendering.sample_counts = std::ranges::find(aovs_, "sample-count") != aovs_.end();
-    if (const auto compiled = session_.scene(); compiled && !aovs_.empty()) {
-      const uint32_t samples = std::max(status_.samples, 1u);
-      rendering.layers = render::render_aovs(*compiled, document_, aovs_, std::min(samples, kAovSamples), a_.threads);
-      for (image::Layer& layer : render::render_medium_aovs(compiled, document_, aovs_, samples, a_.threads))
-        rendering.layers.push_back(std::move(layer));
-    }
-    const bool stores_certificate = !(a_.out.ends_with(".png") || a_.out.ends_with(".hdr"));
-    // The session renders other documents for the certificate, so its film and model are copied before.
-    if (!a_.json.empty() || stores_certificate)
-      rendering.certificate = certificate_of(session_, document_, status_, film);
-    if (auto ok = render::write_image(a_.out, rendering); !ok) return ok;
-    if (!a_.png.empty())
-      if (auto ok = render::write_image(a_.png, rendering); !ok) return ok;
+  // A part has no certificate, because its samples alone are not the image.
+  Result<void> write_part() {
+    render::Document whole = document_;
+    whole.limits = {};
+    whole.part = {};
+    const render::RenderPart& part = document_.part;
+    const render::PixelRect all{0, 0, document_.width, document_.height};
+    const render::SampleBox block{part.first_sample, part.first_sample + status_.samples, part.region.value_or(all)};
+    const double seconds = status_.seconds + earlier_seconds_;
+    render::PartInfo info{.state = render::state_json(whole, 0),
+                          .version = ETENDUE_VERSION,
+                          .scene_hash = bench::image_key(whole),
+                          .width = document_.width,
+                          .height = document_.height,
+                          .blocks = {block},
+                          .rays = status_.rays,
+                          .microseconds = static_cast<uint64_t>(seconds * 1e6)};
+    if (auto ok = render::write_part(a_.out, std::move(info), {session_.film_copy(), session_.tail_states()}); !ok)
+      return ok;
     if (a_.json.empty()) return {};
-    const std::string text = statistics_json({.document = document_,
-                                              .status = status_,
-                                              .model = model,
-                                              .threads = a_.threads,
-                                              .certificate = rendering.certificate,
-                                              .choice = choice_ ? advisor::choice_json(*choice_) : "null"}) +
-                             "\n";
-    if (a_.json != "-") return write_file(a_.json, text.data(), text.size());
-    std::fputs(text.c_str(), stdout);
-    return {};
+    return write_statistics(a_.json, statistics_json({.document = document_,
+                                                      .status = status_,
+                                                      .model = session_.model(),
+                                                      .threads = a_.threads,
+                                                      .certificate = "null",
+                                                      .choice = "null"}));
+  }
+
+  Result<void> write_files() {
+    if (writes_part_) return write_part();
+    const std::string choice = choice_ ? advisor::choice_json(*choice_) : "null";
+    return write_results(session_, document_, status_,
+                         {.out = a_.out, .png = a_.png, .json = a_.json, .aovs = aovs_, .threads = a_.threads}, choice);
   }
 
   const RenderArguments& a_;
+  bool writes_part_;
   std::vector<std::string> aovs_;
   render::Document document_;
   double earlier_seconds_;
@@ -351,12 +321,24 @@ class RenderJob {
   bool incompatibility_printed_ = false;
 };
 
+// The part of the arguments, or that of a checkpoint, which the arguments may repeat. Parts have a fixed number of
+// samples.
+Result<void> check_part_arguments(const RenderArguments& a, Start& start) {
+  render::Document& d = start.document;
+  if (a.seconds > 0 || a.error > 0)
+    return usage_error("render: a part has a fixed number of samples; give --samples or --spp, not --time or --error");
+  if (!a.png.empty() || !a.aovs.empty())
+    return usage_error("render: a part has no --png and no --aov; give them to etendue merge");
+  if (!a.out.ends_with(".exr")) return usage_error("render: '" + a.out + "' cannot hold a part; give -o FILE.exr");
+  if (start.resume_point) return check_resumed_part(a.part, d);
+  if (auto ok = apply_part(a.part, a.samples, d); !ok) return ok;
+  const std::string reason = render::division_incompatibility(d);
+  return reason.empty() ? Result<void>() : Result<void>(usage_error("render: " + reason));
+}
+
 // Wrong arguments fail before anything is rendered.
 int run_render(const RenderArguments& a) {
-  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr, .png or .tif"));
-  if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
-  if (!a.png.empty())
-    if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());
+  if (auto ok = check_names(a.out, a.png, "render"); !ok) return fail(ok.error());
   auto aovs = parse_aovs(a.aovs);
   if (!aovs) return fail(aovs.error());
   auto start = find_start(a);
@@ -365,8 +347,11 @@ int run_render(const RenderArguments& a) {
   if (auto ok = apply(a, start->document); !ok) return fail(ok.error());
   if (!a.resume.empty())
     if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
+  const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
+  if (writes_part)
+    if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
   print_warnings(start->document);
-  return RenderJob(a, std::move(*aovs), std::move(*start)).run();
+  return RenderJob(a, std::move(*aovs), std::move(*start), writes_part).run();
 }
 
 }  // namespace
@@ -386,6 +371,8 @@ Command render_command() {
                    .target = &a->samples,
                    .doc = "Samples per pixel (64 if no limit is given)",
                    .bounds = between(1, 1'000'000)},
+                  samples_option(a->part.samples),
+                  region_option(a->part.region),
                   {.names = "--time", .target = &a->seconds, .doc = "Rendering time in seconds", .bounds = kPositive},
                   {.names = "--error",
                    .target = &a->error,

@@ -7,23 +7,28 @@
 // The half-buffers are weighted by their numbers of samples. With adaptive sampling, where these numbers depend on the
 // samples, both have the weight 1/2, because other weights would bias the mean.
 //
+// Sums are exact (film/rounding_errors.h): means do not depend on the order in which samples were added, nor on how
+// the rendering was divided into parts.
+//
 // Invalid samples (not a finite, non-negative radiance) are counted and contribute the value zero.
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/error_free.h"
 #include "base/vec.h"
 #include "film/error.h"
+#include "film/half_buffers.h"
 #include "film/invalid_samples.h"
+#include "film/rounding_errors.h"
 #include "film/tile_variance.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
-
-inline constexpr uint32_t kHalfBuffers = 2;
 
 class Film {
  public:
@@ -33,26 +38,49 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
+  struct Pixel {
+    std::array<std::array<double, 3>, kHalfBuffers> sum{};  // rounded after each sample
+    std::array<uint32_t, kHalfBuffers> count{};
+  };
+
   // Adds one sample to a half-buffer of a pixel; returns false if it is invalid. Different pixels may be updated from
   // different threads.
   bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
-    Pixel& pixel = at(x, y);
+    return add(at(x, y), x, y, half_buffer, radiance);
+  }
+  // The same, where `pixel` is the pixel at (x, y).
+  bool add(Pixel& pixel, int x, int y, uint32_t half_buffer, const Rgb& radiance) {
     if (!is_radiance(radiance)) [[unlikely]] {
-      invalid_.count(x, y, pixel.count[half_buffer] * kHalfBuffers + half_buffer, radiance);
+      invalid_.count(x, y, sample_index(half_buffer, pixel.count[half_buffer]), radiance);
       // Counts as a sample of value zero. Leaving it out would bias the mean towards the valid samples.
       ++pixel.count[half_buffer];
       return false;
     }
     ++pixel.count[half_buffer];
     auto& sum = pixel.sum[half_buffer];
-    sum[0] += radiance.r;
-    sum[1] += radiance.g;
-    sum[2] += radiance.b;
+    Double2 red_green{sum[0], sum[1]};
+    const Double2 error = add_exactly(red_green, Double2{double{radiance.r}, double{radiance.g}});
+    const double blue_error = add_exactly(sum[2], double{radiance.b});
+    sum[0] = red_green[0];
+    sum[1] = red_green[1];
+    const auto is_rounded =
+        std::bit_cast<uint64_t>(error[0]) | std::bit_cast<uint64_t>(error[1]) | std::bit_cast<uint64_t>(blue_error);
+    if (is_rounded != 0) [[unlikely]]
+      errors_.add(x, y, half_buffer, {error[0], error[1], blue_error});
     return true;
   }
 
+  // Adds `count` samples of one half-buffer that have this sum. It may be one of several terms of their sum, the others
+  // with a count of 0.
+  void add_sum(int x, int y, uint32_t half_buffer, const std::array<double, 3>& sum, uint32_t count);
+
   uint32_t samples(int x, int y) const;
   uint32_t half_buffer_samples(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
+  // The exact sum of a half-buffer, rounded.
+  std::array<double, 3> sum(int x, int y, uint32_t half_buffer) const {
+    Sums buffer;
+    return sums(x, y, buffer)[half_buffer];
+  }
   Rgb mean(int x, int y) const;
   // The mean of one half-buffer, which must have a sample in this pixel.
   Rgb half_buffer_mean(int x, int y, uint32_t half_buffer) const;
@@ -66,13 +94,14 @@ class Film {
   ErrorEstimate error(std::span<const RowError> rows) const;
   InvalidSamples invalid_samples() const { return invalid_.get(); }
 
-  // The complete state, for checkpoints.
-  struct Pixel {
-    std::array<std::array<double, 3>, kHalfBuffers> sum{};
-    std::array<uint32_t, kHalfBuffers> count{};
-  };
+  // The number of the first sample of each pixel; 0 unless the film holds a part of a rendering.
+  void set_first_sample(uint32_t sample) { first_sample_ = sample; }
+
+  // The complete state, for checkpoints, together with `rounding_errors`.
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
+  const RoundingErrors& rounding_errors() const { return errors_; }
+  RoundingErrors& rounding_errors() { return errors_; }
   void set_invalid_samples(const InvalidSamples& samples) { invalid_.set(samples); }
 
   // The sample variance of tiles, for adaptive sampling; not present until `begin_tile_variance` is called.
@@ -83,7 +112,7 @@ class Film {
   // Resets the pixels of the rows [first, end).
   void clear_rows(int first, int end);
   // In bytes, of the pixels.
-  size_t memory() const { return pixels_.size() * sizeof(Pixel); }
+  size_t memory() const { return pixels_.size() * sizeof(Pixel) + errors_.memory(); }
 
  private:
   const Pixel& at(int x, int y) const {
@@ -93,10 +122,25 @@ class Film {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
 
+  using Sums = std::array<std::array<double, 3>, kHalfBuffers>;
+  // The exact sums of a pixel, rounded: those of the pixel, or, if they had been rounded, `buffer`.
+  const Sums& sums(int x, int y, Sums& buffer) const {
+    return errors_.any_at(x, y) ? rounded_sums(x, y, buffer) : at(x, y).sum;
+  }
+  const Sums& rounded_sums(int x, int y, Sums& buffer) const;
+  Rgb mean(const Pixel& p, const Sums& sum) const;
+  Rgb variance_of_mean(const Pixel& p, const Sums& sum) const;
+
+  // The number of sample `n` of a half-buffer.
+  uint32_t sample_index(uint32_t half_buffer, uint32_t n) const {
+    return (n + (first_sample_ + 1 - half_buffer) / kHalfBuffers) * kHalfBuffers + half_buffer;
+  }
   bool has_equal_weights(const Pixel& p) const { return tile_variance_ && p.count[0] > 0 && p.count[1] > 0; }
 
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
+  RoundingErrors errors_;
+  uint32_t first_sample_ = 0;
   std::optional<TileVariance> tile_variance_;
   InvalidSampleCounter invalid_;
 };

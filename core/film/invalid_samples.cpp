@@ -38,6 +38,15 @@ std::string_view reason_name(InvalidReason reason) {
   return "";
 }
 
+void merge(InvalidSamples& samples, const InvalidSamples& other) {
+  samples.nan += other.nan;
+  samples.infinite += other.infinite;
+  samples.negative += other.negative;
+  samples.first.insert(samples.first.end(), other.first.begin(), other.first.end());
+  std::ranges::sort(samples.first, {}, sort_key);
+  if (samples.first.size() > kListedInvalidSamples) samples.first.resize(kListedInvalidSamples);
+}
+
 void InvalidSampleCounter::count(int x, int y, uint32_t sample, const Rgb& radiance) {
   const InvalidSample invalid{.x = x, .y = y, .sample = sample, .reason = reason_of(radiance)};
   auto& counter = invalid.reason == InvalidReason::nan        ? nan_

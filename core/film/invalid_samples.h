@@ -3,6 +3,7 @@
 // The film counts them by reason and records where the first ones occurred.
 #pragma once
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <mutex>
@@ -17,11 +18,12 @@ namespace etendue::film {
 // single wavelengths have, satisfy this with negative components.
 bool is_visible_color(const Rgb& c);
 
-// Whether a sample is valid. Each comparison is false for NaN.
+// Whether a sample is valid. The bits of floats from 0 to infinity ascend; those of negative numbers and NaN are larger.
 inline bool is_radiance(const Rgb& c) {
-  constexpr float kMax = std::numeric_limits<float>::max();
-  const bool in_gamut = c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMax && c.g <= kMax && c.b <= kMax;
-  return in_gamut || is_visible_color(c);
+  const auto in_range = [](float v) {
+    return std::bit_cast<uint32_t>(v) <= std::bit_cast<uint32_t>(std::numeric_limits<float>::max());
+  };
+  return (in_range(c.r) && in_range(c.g) && in_range(c.b)) || is_visible_color(c);
 }
 
 enum class InvalidReason { nan, infinite, negative };
@@ -43,6 +45,9 @@ struct InvalidSamples {
 
   uint64_t total() const { return nan + infinite + negative; }
 };
+
+// Adds the counts and the list of `other`.
+void merge(InvalidSamples& samples, const InvalidSamples& other);
 
 // Counts invalid samples. `count` may be called from several threads concurrently; the result does not depend on the
 // order of the calls.

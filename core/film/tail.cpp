@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/error_free.h"
 #include "base/vectorize.h"
 
 namespace etendue::film {
@@ -182,6 +183,26 @@ void TailAccumulator::merge(const TailAccumulator& other) {
   }
   for (const float x : other.largest_)
     if (x > threshold_) store(x);
+}
+
+TailAccumulator::TailAccumulator(size_t capacity, const TailState& state)
+    : capacity_(capacity),
+      samples_(state.samples),
+      sum_(rounded_sum(state.sum)),
+      squares_(rounded_sum(state.squares)),
+      fourths_(rounded_sum(state.fourths)),
+      threshold_(state.threshold),
+      largest_(state.largest) {}
+
+TailState TailAccumulator::state() const {
+  TailState state{.samples = samples_,
+                  .sum = expansion_of({sum_}),
+                  .squares = expansion_of({squares_}),
+                  .fourths = expansion_of({fourths_}),
+                  .threshold = threshold_,
+                  .largest = largest_};
+  film::merge(state, TailState(), capacity_);
+  return state;
 }
 
 void TailAccumulator::clear() {

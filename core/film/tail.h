@@ -19,6 +19,8 @@
 #include <span>
 #include <vector>
 
+#include "film/tail_state.h"
+
 namespace etendue::film {
 
 // The largest reliable khat; smaller for few samples [Vehtari et al. 2024].
@@ -51,6 +53,8 @@ class TailAccumulator {
   // The tail has the length of [Vehtari et al. 2024] up to (capacity / 6)^2 samples. The share of the brightest is exact
   // up to capacity / 0.0002 samples.
   explicit TailAccumulator(size_t capacity = 8192) : capacity_(capacity) {}
+  // An accumulator that continues from a state.
+  TailAccumulator(size_t capacity, const TailState& state);
 
   // Adds finite deviations. Negative ones are not part of the tail but of the variance. `sum` is the sum of the samples
   // themselves.
@@ -64,6 +68,8 @@ class TailAccumulator {
   // The stored deviations, unordered.
   std::span<const float> largest() const { return largest_; }
   Tail report() const;
+  TailState state() const;
+  size_t capacity() const { return capacity_; }
 
  private:
   void add_run(std::span<const float> run);

@@ -157,13 +157,21 @@ void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredIma
   }
 }
 
-Result<LayeredImage> decode(Imf::MultiPartInputFile& file, Bytes bytes, const std::string& name) {
-  if (auto checked = check_exr_parts(file, bytes, name); !checked) return checked.error();
+LayeredImage without_layers(const Imf::MultiPartInputFile& file) {
   LayeredImage image;
   const Imath::Box2i display = file.header(0).displayWindow();
   image.width = static_cast<int>(width_of(display));
   image.height = static_cast<int>(height_of(display));
   image.attributes = text_attributes(file.header(0));
+  return image;
+}
+
+enum class Content { header, everything };
+
+Result<LayeredImage> decode(Imf::MultiPartInputFile& file, Bytes bytes, const std::string& name, Content content) {
+  if (auto checked = check_exr_parts(file, bytes, name); !checked) return checked.error();
+  LayeredImage image = without_layers(file);
+  if (content == Content::header) return image;
   for (int i = 0; i < file.parts(); ++i) add_layers(read_part(file, i), file.header(i), image);
   return image;
 }
@@ -242,16 +250,20 @@ void write_pixels(FileStream& stream, const LayeredImage& image) {
 
 bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
 
-Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
+Result<LayeredImage> decode_content(Bytes bytes, const std::string& name, Content content) {
   if (!is_exr(bytes)) return input_error(name + ": this is not an OpenEXR file");
   if (auto checked = check_exr_attributes(bytes, name); !checked) return checked.error();
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);
-    return decode(file, bytes, name);
+    return decode(file, bytes, name, content);
   } catch (const std::exception& e) {
     return input_error(name + ": damaged or unsupported OpenEXR: " + e.what());
   }
+}
+
+Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
+  return decode_content(bytes, name, Content::everything);
 }
 
 }  // namespace
@@ -260,6 +272,12 @@ Result<LayeredImage> read_exr(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   return decode_bytes(*bytes, path.string());
+}
+
+Result<LayeredImage> read_exr_header(const std::filesystem::path& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return decode_content(*bytes, path.string(), Content::header);
 }
 
 Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {

@@ -65,6 +65,9 @@ Result<LayeredImage> read_linear(const std::filesystem::path& path);
 // Reads an OpenEXR file with all layers and text attributes. Channels may be half, float or uint.
 Result<LayeredImage> read_exr(const std::filesystem::path& path);
 
+// The size and the text attributes of an OpenEXR file, without layers.
+Result<LayeredImage> read_exr_header(const std::filesystem::path& path);
+
 // Writers replace an existing file atomically (base/file.h).
 //
 // OpenEXR: all layers as float, ZIP compression, and the attributes.

@@ -48,6 +48,20 @@ struct TechniqueParameters {
   bool empty() const { return only.empty(); }
 };
 
+// How a rendering divides into parts that several processes compute. Merged parts have the bits of one run.
+enum class DivisionUnit {
+  samples,  // ranges of sample numbers, which are independent
+  passes,   // the same; each sample, or each part, repeats a pass over the whole scene
+  none      // samples depend on those before
+};
+std::string_view division_name(DivisionUnit unit);
+
+struct Division {
+  DivisionUnit unit = DivisionUnit::samples;
+  bool regions = true;  // whether it divides into parts of the image as well
+  std::string reason = "Every sample depends on its pixel and its number only.";  // sentences
+};
+
 struct IntegratorInfo {
   std::string name, label;
   std::string summary;  // one sentence
@@ -57,6 +71,7 @@ struct IntegratorInfo {
   Bias bias = Bias::unbiased;
   std::string cost, limitations;
   Accumulation accumulation = Accumulation::per_pixel;
+  Division division = {};
   char shortcut = 0;  // key that selects it in the viewer, '1' to '9'; 0: none
   TechniqueParameters techniques = {};
   bool scattering_media = false;     // renders participating media that scatter; scenes with such media need it

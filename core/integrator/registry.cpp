@@ -2,7 +2,7 @@
 #include <cassert>
 
 #include "base/hash.h"
-#include "film/film.h"
+#include "film/half_buffers.h"
 #include "integrator/registration.h"
 #include "transport/path_expression/path_expression.h"
 
@@ -43,6 +43,11 @@ const std::vector<Registration>& entries() {
 
 std::string_view bias_name(Bias bias) {
   return bias == Bias::unbiased ? "unbiased" : bias == Bias::consistent ? "consistent" : "biased";
+}
+
+std::string_view division_name(DivisionUnit unit) {
+  constexpr std::array<std::string_view, 3> kNames{"samples", "passes", "none"};
+  return kNames[static_cast<size_t>(unit)];
 }
 
 std::optional<uint64_t> RenderState::run(uint32_t, size_t, int, const TaskContext&) { return 0; }

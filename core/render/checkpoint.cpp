@@ -11,11 +11,13 @@
 namespace etendue::render {
 namespace {
 
-constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '3'};
+constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '4'};
+constexpr char kMagicVersion3[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '3'};
 constexpr char kMagicVersion2[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '2'};
 
 // The head of the file. It is followed by the state text, the pixels, the tile variances of adaptive sampling, the
-// state of the integrator, and the records of the first invalid samples, all as they are in memory.
+// state of the integrator, the rounding errors of the film, and the records of the first invalid samples, all as they
+// are in memory.
 struct Header {
   char magic[8];
   uint64_t state_size;
@@ -25,11 +27,12 @@ struct Header {
   uint64_t variance_blocks;
   uint64_t hash;                   // of all bytes after the header
   uint64_t integrator_state_size;  // not in version 2
+  uint64_t rounding_errors_size;   // not in versions 2 and 3
 };
 
 // The sizes in bytes of the parts after the header.
 struct PartSizes {
-  uint64_t state, pixels, variance, integrator_state, invalid_samples;
+  uint64_t state, pixels, variance, integrator_state, rounding_errors, invalid_samples;
 };
 
 Error damaged(const std::filesystem::path& path, const char* what) {
@@ -41,10 +44,18 @@ void append(std::vector<char>& bytes, std::span<const std::byte> part) {
   bytes.insert(bytes.end(), begin, begin + part.size());
 }
 
+// The number of bytes of the header in a file that begins with `magic`; 0 if it is not a checkpoint.
+size_t header_size_of(const std::byte* magic) {
+  const auto begins_with = [&](const char(&text)[8]) { return std::memcmp(magic, text, sizeof text) == 0; };
+  if (begins_with(kMagic)) return sizeof(Header);
+  if (begins_with(kMagicVersion3)) return offsetof(Header, rounding_errors_size);
+  return begins_with(kMagicVersion2) ? offsetof(Header, integrator_state_size) : 0;
+}
+
 // Splits `body`, the number of bytes after the header. The error says why the numbers cannot be right.
 Result<PartSizes> part_sizes(const std::filesystem::path& path, const Header& header, uint64_t body) {
   if (header.width < 1 || header.height < 1 || header.width > 1 << 16 || header.height > 1 << 16 ||
-      header.state_size > body || header.integrator_state_size > body ||
+      header.state_size > body || header.integrator_state_size > body || header.rounding_errors_size > body ||
       header.variance_blocks > body / film::TileVariance::kBytesOfBlock)
     return damaged(path, "the sizes in its header are impossible");
   PartSizes sizes{};
@@ -52,7 +63,8 @@ Result<PartSizes> part_sizes(const std::filesystem::path& path, const Header& he
   sizes.pixels = static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
   sizes.variance = header.variance_blocks * film::TileVariance::kBytesOfBlock;
   sizes.integrator_state = header.integrator_state_size;
-  const uint64_t known = sizes.state + sizes.pixels + sizes.variance + sizes.integrator_state;
+  sizes.rounding_errors = header.rounding_errors_size;
+  const uint64_t known = sizes.state + sizes.pixels + sizes.variance + sizes.integrator_state + sizes.rounding_errors;
   if (body < known) return damaged(path, "it is truncated");
   sizes.invalid_samples = body - known;
   if (sizes.invalid_samples % sizeof(film::InvalidSample) != 0 ||
@@ -66,10 +78,13 @@ Result<PartSizes> part_sizes(const std::filesystem::path& path, const Header& he
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const film::InvalidSamples invalid = checkpoint.film.invalid_samples();
   const auto& variance = checkpoint.film.tile_variance();
-  const std::span<const std::byte> parts[] = {
-      std::as_bytes(std::span(checkpoint.state)), std::as_bytes(checkpoint.film.pixels()),
-      variance ? variance->bytes() : std::span<const std::byte>(), std::span(checkpoint.integrator_state),
-      std::as_bytes(std::span(invalid.first))};
+  const std::vector<std::byte> rounding_errors = checkpoint.film.rounding_errors().bytes();
+  const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
+                                              std::as_bytes(checkpoint.film.pixels()),
+                                              variance ? variance->bytes() : std::span<const std::byte>(),
+                                              std::span(checkpoint.integrator_state),
+                                              std::span(rounding_errors),
+                                              std::as_bytes(std::span(invalid.first))};
   std::vector<char> bytes(sizeof(Header));
   for (const auto& part : parts) append(bytes, part);
   Header header{};
@@ -83,6 +98,7 @@ Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoin
   header.seconds = checkpoint.seconds;
   header.variance_blocks = variance ? variance->blocks() : 0;
   header.integrator_state_size = checkpoint.integrator_state.size();
+  header.rounding_errors_size = rounding_errors.size();
   header.hash = hash_bytes(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
   std::memcpy(bytes.data(), &header, sizeof header);
   return write_file(path, bytes.data(), bytes.size());
@@ -94,11 +110,9 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const auto& bytes = *read;
   Header header{};
   if (bytes.size() < sizeof header) return damaged(path, "it is too short to be a checkpoint");
-  const bool is_version_2 = std::memcmp(bytes.data(), kMagicVersion2, sizeof kMagicVersion2) == 0;
-  const size_t header_size = is_version_2 ? offsetof(Header, integrator_state_size) : sizeof header;
+  const size_t header_size = header_size_of(bytes.data());
+  if (header_size == 0) return damaged(path, "it is not a checkpoint");
   std::memcpy(&header, bytes.data(), header_size);
-  if (!is_version_2 && std::memcmp(header.magic, kMagic, sizeof kMagic) != 0)
-    return damaged(path, "it is not a checkpoint");
   const uint64_t body = bytes.size() - header_size;
   const auto sizes = part_sizes(path, header, body);
   if (!sizes) return sizes.error();
@@ -121,6 +135,10 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   }
   checkpoint.integrator_state.resize(sizes->integrator_state);
   read_part(checkpoint.integrator_state.data(), sizes->integrator_state);
+  std::vector<std::byte> rounding_errors(sizes->rounding_errors);
+  read_part(rounding_errors.data(), sizes->rounding_errors);
+  if (!checkpoint.film.rounding_errors().restore(rounding_errors))
+    return damaged(path, "its rounding errors do not fit the image");
   film::InvalidSamples invalid{header.nan, header.infinite, header.negative, {}};
   invalid.first.resize(sizes->invalid_samples / sizeof(film::InvalidSample));
   read_part(invalid.first.data(), sizes->invalid_samples);

@@ -18,7 +18,8 @@ struct Checkpoint {
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Reads files of this version and of the one before, which has no integrator state. A truncated, foreign or damaged
+// Reads files of this version and of the two before. Version 3 has no rounding errors of the film, version 2 no integrator
+// state either. A truncated, foreign or damaged
 // file is an input error.
 Result<Checkpoint> read_checkpoint(const std::filesystem::path& path);
 

@@ -17,6 +17,7 @@
 #include "film/filter.h"
 #include "film/firefly_reweighting.h"
 #include "image/display.h"
+#include "render/render_part.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 #include "transport/model.h"
@@ -89,6 +90,7 @@ struct Document {
   std::vector<std::string> forced_flags;  // flags of the transport model that are set to "on" (model.FLAG)
   uint64_t seed = 0;
   Limits limits;
+  RenderPart part;
   Display display;
   bool lit_by_default = false;             // the scene has no light, so new_document added the studio environment
   std::shared_ptr<const Document> origin;  // the document as it was opened; states record the differences from it
@@ -122,11 +124,13 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 
 // The state of a document as JSON text, for snapshots and checkpoints: the scene's name and all parameters that differ
 // from the document's origin. If a folder is given, files in it or below are named relative to it, others absolutely;
-// otherwise they are named as they were opened.
+// otherwise they are named as they were opened. The state of a part of a rendering names the part.
 std::string state_json(const Document& document, uint32_t samples, const std::string& folder = "");
 // Opens the document of a state again. `source` is the file that contains the state, for error messages and relative
 // paths.
 Result<Document> document_from_state(const std::string& json, const std::string& source, uint32_t* samples = nullptr);
+// The part of a rendering that a state names; the whole rendering if it names none. `document_from_state` ignores it.
+RenderPart part_from_state(const std::string& json);
 // The display settings of a state, without opening its scene. Missing settings have their default values.
 Display display_from_state(const std::string& json);
 

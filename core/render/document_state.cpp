@@ -1,4 +1,5 @@
 // The state of a document as JSON text: the scene that it was opened from and all parameters that differ from it.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,12 @@ json automatic_json(const Document& document) {
   return {{"integrator", document.method.integrator}, {"reason", document.automatic.reason}};
 }
 
+json part_json(const RenderPart& part) {
+  json j{{"first_sample", part.first_sample}};
+  if (part.region) j["region"] = {part.region->x, part.region->y, part.region->width, part.region->height};
+  return j;
+}
+
 // The method of a state that was chosen automatically is used again. Nothing if the state has none.
 Result<void> restore_automatic(Document& document, const json& state, const std::string& source) {
   if (!document.automatic.enabled || !state.contains("automatic")) return {};
@@ -118,6 +125,7 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   json state{
       {"program", "etendue"},           {"version", kVersion}, {"scene", reference_from(folder, document.scene_name)},
       {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
+  if (!document.part.is_whole()) state["part"] = part_json(document.part);
   if (document.automatic.enabled && !document.automatic.is_pending()) state["automatic"] = automatic_json(document);
   // The environment map of the scene's own file is loaded with the scene.
   const std::string& file = document.scene->environment.file;
@@ -146,6 +154,21 @@ Result<Document> document_from_state(const std::string& text, const std::string&
   if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
     *samples = state["samples"].get<uint32_t>();
   return document;
+}
+
+RenderPart part_from_state(const std::string& text) {
+  RenderPart part;
+  const json state = json::parse(text, nullptr, false);
+  if (!state.is_object() || !state.contains("part") || !state["part"].is_object()) return part;
+  const json& j = state["part"];
+  if (j.contains("first_sample") && j["first_sample"].is_number_unsigned())
+    part.first_sample = j["first_sample"].get<uint32_t>();
+  const auto is_integer = [](const json& v) { return v.is_number_integer(); };
+  if (j.contains("region") && j["region"].is_array() && j["region"].size() == 4 &&
+      std::ranges::all_of(j["region"], is_integer))
+    part.region = {j["region"][0].get<int>(), j["region"][1].get<int>(), j["region"][2].get<int>(),
+                   j["region"][3].get<int>()};
+  return part;
 }
 
 Display display_from_state(const std::string& text) {

@@ -15,7 +15,7 @@ bool same_rays(const Camera& a, Camera b) {
 bool same_light(const Document& a, const Document& b) {
   return a.scene == b.scene && same_rays(a.camera, b.camera) && a.width == b.width && a.height == b.height &&
          a.filter == b.filter && a.fireflies == b.fireflies && a.method == b.method &&
-         a.forced_flags == b.forced_flags && a.seed == b.seed;
+         a.forced_flags == b.forced_flags && a.seed == b.seed && a.part == b.part;
 }
 
 }  // namespace

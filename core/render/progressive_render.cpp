@@ -38,7 +38,7 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   document_ = std::move(document);
   scene_ = std::move(scene);
   film_is_stale_ = !start;
-  if (start) film_.resume(document_, std::move(start->film));
+  if (start) film_.resume(document_, std::move(start->film), start->tails);
   // The new renderer may reuse data of the old one, which is destroyed afterwards.
   renderer_ = std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get());
   counters_.rays = 0;
@@ -73,6 +73,7 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   // The seed is that of the image, so that photons traced for the preview can be reused.
   Document preview_document = document_;
   preview_document.method.adaptive = Adaptive::off;
+  preview_document.part = {};
   Renderer renderer(preview_document, scene_, width, height, renderer_.get());
   film::Film film(width, height);
   Renderer::Counters counters;
@@ -189,7 +190,8 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   status.progress = progress_to_limit(document_.limits, state);
   status.time_left = time_to_limit(document_.limits, state);
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + renderer_->memory();
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) +
+                  film_.film().rounding_errors().memory() + renderer_->memory();
   write_phase(status, *renderer_);
   status.finished = finished;
   if (finished) {
@@ -217,6 +219,10 @@ film::Film ProgressiveRender::film_copy() const {
 ResumePoint ProgressiveRender::resume_point() const {
   if (film_is_stale_ || !renderer_) return film_copy();
   return {film_.film(), renderer_->integrator_state()};
+}
+
+std::vector<film::TailState> ProgressiveRender::tail_states() const {
+  return film_is_stale_ ? std::vector<film::TailState>() : film_.tails().states();
 }
 
 std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {

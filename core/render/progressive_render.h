@@ -55,6 +55,7 @@ class ProgressiveRender {
   // The film, empty while the edit has no samples yet.
   film::Film film_copy() const;
   ResumePoint resume_point() const;
+  std::vector<film::TailState> tail_states() const;
   std::optional<std::vector<float>> reweighted_copy() const;
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const;
 
@@ -84,7 +85,7 @@ class ProgressiveRender {
   PreviewResolution preview_resolution_;
   bool awaits_first_frame_ = false;
   std::shared_ptr<const Preview> preview_;  // shown where the film has no samples yet
-  uint64_t paths_in_frame_ = 0;           // paths and samples that the last frame was made of
+  uint64_t paths_in_frame_ = 0;             // paths and samples that the last frame was made of
   uint32_t samples_in_frame_ = 0;
 
   const char* phase_ = nullptr;  // of the integrator, in the current sample

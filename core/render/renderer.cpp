@@ -15,6 +15,20 @@ bool cancel(film::Splats* splats) {
   return false;
 }
 
+bool has_same_pixels(const integrator::PixelBlock& a, const integrator::PixelBlock& b) {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+// The values of the pixels of `part`, which lies in `block`.
+void copy_pixels(const integrator::PixelBlock& block, std::span<const Rgb> radiance, const integrator::PixelBlock& part,
+                 std::span<Rgb> target) {
+  Rgb* next = target.data();
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    const Rgb* row = &radiance[static_cast<size_t>((y - block.y) * block.width + part.x - block.x)];
+    next = std::copy_n(row, part.width, next);
+  }
+}
+
 }  // namespace
 
 Renderer::Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
@@ -22,6 +36,8 @@ Renderer::Renderer(const Document& document, std::shared_ptr<const scene::Compil
     : prepared_(document, std::move(scene), width, height),
       width_(width),
       height_(height),
+      first_sample_(document.part.first_sample),
+      region_(document.part.region.value_or(PixelRect{0, 0, width, height})),
       adaptive_(prepared_.accumulation() == integrator::Accumulation::per_pixel ? document.method.adaptive
                                                                                 : Adaptive::off),
       state_(prepared_.begin(prepared_.context(), previous ? previous->state_.get() : nullptr)),
@@ -30,7 +46,10 @@ Renderer::Renderer(const Document& document, std::shared_ptr<const scene::Compil
 size_t Renderer::memory() const { return state_->memory() + splat_image_.memory(); }
 
 void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_state) {
-  tiles_ = static_cast<size_t>(tiles_across(width_, PixelBlock::kWidth) * tiles_across(height_, PixelBlock::kHeight));
+  columns_ = tiles_across(region_.right(), PixelBlock::kWidth) - region_.x / PixelBlock::kWidth;
+  const int rows = tiles_across(region_.bottom(), PixelBlock::kHeight) - region_.y / PixelBlock::kHeight;
+  tiles_ = static_cast<size_t>(columns_ * rows);
+  film.set_first_sample(first_sample_);
   if (adaptive_ != Adaptive::off) {
     std::vector<int> pixels(tiles_);
     for (size_t i = 0; i < tiles_; ++i) pixels[i] = block_at(i).width * block_at(i).height;
@@ -44,27 +63,32 @@ void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_sta
 // The samples that the current step takes, counted within each half-buffer.
 SampleRange Renderer::range() const {
   if (allocation_) return allocation_->range();
-  return {samples_ / film::kHalfBuffers, samples_ / film::kHalfBuffers + 1};
+  return {sample() / film::kHalfBuffers, sample() / film::kHalfBuffers + 1};
 }
 
 // Tiles are sampled as a whole, so one pixel stands for all pixels of its tile.
 uint32_t Renderer::samples_of(const film::Film& film) const {
   uint64_t sum = 0, least = UINT64_MAX;
   for (size_t i = 0; i < tiles_; ++i) {
-    const PixelBlock block = block_at(i);
+    const PixelBlock block = visible(block_at(i));
     const uint64_t n = film.samples(block.x, block.y);
     sum += n * static_cast<uint64_t>(block.width * block.height);
     least = std::min(least, n);
   }
-  const auto pixels = static_cast<uint64_t>(width_) * static_cast<uint64_t>(height_);
+  const auto pixels = static_cast<uint64_t>(region_.width) * static_cast<uint64_t>(region_.height);
   return static_cast<uint32_t>(allocation_ ? sum / pixels : least);
 }
 
 integrator::PixelBlock Renderer::block_at(size_t tile) const {
-  const int columns = tiles_across(width_, PixelBlock::kWidth);
   const int index = static_cast<int>(tile);
-  return integrator::block_containing(index % columns * PixelBlock::kWidth, index / columns * PixelBlock::kHeight,
-                                      width_, height_, 0);
+  return integrator::block_containing(region_.x + index % columns_ * PixelBlock::kWidth,
+                                      region_.y + index / columns_ * PixelBlock::kHeight, width_, height_, 0);
+}
+
+integrator::PixelBlock Renderer::visible(const PixelBlock& block) const {
+  const int left = std::max(block.x, region_.x), right = std::min(block.x + block.width, region_.right());
+  const int top = std::max(block.y, region_.y), bottom = std::min(block.y + block.height, region_.bottom());
+  return {.x = left, .y = top, .width = right - left, .height = bottom - top, .sample = block.sample};
 }
 
 bool Renderer::advance(ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going,
@@ -84,7 +108,7 @@ bool Renderer::advance(ThreadPool& workers, const FilmTargets& targets, const st
 void Renderer::plan_step() {
   prepared_.prepare_sampler(range().first);
   if (splats()) splat_image_.begin_sample();
-  const std::vector<integrator::Phase> phases = state_->phases(samples_);
+  const std::vector<integrator::Phase> phases = state_->phases(sample());
   for (size_t i = 0; i < phases.size(); ++i)
     stages_.push_back({Stage::Kind::phase, i, static_cast<size_t>(phases[i].tasks), phases[i].name});
   if (samples_blocks()) stages_.push_back({Stage::Kind::blocks, 0, tiles_});
@@ -107,7 +131,7 @@ bool Renderer::run_stage(ThreadPool& workers, const StepContext& step, const std
     if (!open_tasks_.empty()) return false;
     if (writes_splats(stage)) splat_image_.merge_batch(workers);
   }
-  if (stage.kind == Stage::Kind::phase) state_->finish(samples_, stage.phase);
+  if (stage.kind == Stage::Kind::phase) state_->finish(sample(), stage.phase);
   return true;
 }
 
@@ -158,7 +182,7 @@ film::Splats* Renderer::splat_list(size_t index) {
 
 bool Renderer::run_phase(const StepContext& step, size_t index) {
   film::Splats* splats = splat_list(index);
-  const auto rays = state_->run(samples_, stages_[stage_].phase, static_cast<int>(index), {&step.still_needed, splats});
+  const auto rays = state_->run(sample(), stages_[stage_].phase, static_cast<int>(index), {&step.still_needed, splats});
   if (!rays) return cancel(splats);
   step.counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   return true;
@@ -169,9 +193,10 @@ bool Renderer::sample_tile(const StepContext& step, size_t tile) {
   const film::Film& film = step.targets.film;
   PixelBlock block = block_at(tile);
   if (!allocation_) {
-    block.sample = samples_;
+    block.sample = sample();
+    const PixelBlock shown = visible(block);
     // A resumed film may hold this sample already. Splats of the sample still concern all pixels.
-    return (!splats() && film.samples(block.x, block.y) > block.sample) || sample_block(step, tile, block);
+    return (!splats() && film.samples(shown.x, shown.y) > samples_) || sample_block(step, tile, block);
   }
   for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
     const uint32_t end = std::min(range().end, allocation_->target(tile, half));
@@ -200,8 +225,8 @@ bool Renderer::sample_block(const StepContext& step, size_t tile, const PixelBlo
 // Transfers the current sample of a tile, with all its splats, to the film.
 bool Renderer::deposit_tile(const StepContext& step, size_t tile) {
   PixelBlock block = block_at(tile);
-  block.sample = samples_;
-  if (step.targets.film.samples(block.x, block.y) > block.sample) return true;
+  block.sample = sample();
+  if (step.targets.film.samples(block.x, block.y) > samples_) return true;
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   splat_image_.read(block, radiance);
   record(step, tile, block, radiance);
@@ -210,9 +235,16 @@ bool Renderer::deposit_tile(const StepContext& step, size_t tile) {
 
 void Renderer::record(const StepContext& step, size_t tile, const PixelBlock& block,
                       std::span<const Rgb> radiance) const {
-  record_samples(step.targets, block, radiance);
+  const PixelBlock shown = visible(block);
+  if (has_same_pixels(shown, block)) {
+    record_samples(step.targets, block, radiance);
+  } else {
+    std::array<Rgb, PixelBlock::kMostPixels> part;
+    copy_pixels(block, radiance, shown, part);
+    record_samples(step.targets, shown, part);
+  }
   if (allocation_) record_tile_variance(step.targets.film, tile, block, radiance);
-  step.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
+  step.counters.paths.fetch_add(static_cast<uint64_t>(shown.width * shown.height), std::memory_order_relaxed);
 }
 
 }  // namespace etendue::render

@@ -31,7 +31,7 @@ class Renderer {
   };
 
   // Starts with a film: an empty one, or one that an equal renderer left, together with the saved state of its
-  // integrator. An integrator that refuses the state continues without it.
+  // integrator. A part of a rendering (Document::part) takes the samples of that part only. An integrator that refuses the state continues without it.
   void begin(film::Film& film, std::span<const std::byte> integrator_state = {});
 
   // Performs the current step until it is complete or `keep_going` returns false between two tasks. True if the step is
@@ -42,7 +42,8 @@ class Renderer {
       ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& still_needed = [] { return true; });
 
-  // Samples per pixel after the last complete step; with adaptive sampling the average over the pixels.
+  // Samples per pixel of the document's part after the last complete step; with adaptive sampling the average over the
+  // pixels.
   uint32_t samples() const { return samples_; }
 
   const transport::Model& model() const { return prepared_.model(); }
@@ -51,7 +52,7 @@ class Renderer {
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const { return state_->points(); }
   std::vector<integrator::Statistic> statistics() const { return state_->statistics(); }
   // The state of the integrator after the last complete step, for `begin`.
-  std::vector<std::byte> integrator_state() const { return state_->state(samples_); }
+  std::vector<std::byte> integrator_state() const { return state_->state(sample()); }
 
   // The phase that is running.
   struct Progress {
@@ -79,9 +80,13 @@ class Renderer {
   bool splats() const { return prepared_.accumulation() >= integrator::Accumulation::with_splats; }
   bool writes_splats(const Stage& stage) const { return splats() && stage.kind != Stage::Kind::deposit; }
 
+  // The number of the sample that the current step takes.
+  uint32_t sample() const { return first_sample_ + samples_; }
   SampleRange range() const;
   uint32_t samples_of(const film::Film& film) const;
   PixelBlock block_at(size_t tile) const;
+  // The pixels of a block that are rendered: all, unless it lies on the boundary of the region.
+  PixelBlock visible(const PixelBlock& block) const;
 
   // Scheduling of stages.
   void plan_step();
@@ -100,9 +105,12 @@ class Renderer {
 
   PreparedDocument prepared_;
   int width_, height_;
+  uint32_t first_sample_;
+  PixelRect region_;  // the pixels that are rendered
   Adaptive adaptive_;
   std::unique_ptr<integrator::RenderState> state_;
-  size_t tiles_ = 0;
+  int columns_ = 0;                             // of tiles, in the region
+  size_t tiles_ = 0;                            // in the region
   std::optional<SampleAllocation> allocation_;  // with adaptive sampling
   uint32_t samples_ = 0;
 

@@ -17,8 +17,8 @@
 
 #include "film/film.h"
 #include "integrator/integrator_info.h"
-#include "render/document.h"
 #include "render/display_frame.h"
+#include "render/document.h"
 #include "render/reliability.h"
 #include "render/resume_point.h"
 #include "render/time_estimate.h"
@@ -96,6 +96,8 @@ class Session {
   film::Film film_copy();
   // The film and the state of the integrator that belongs to it, for checkpoints.
   ResumePoint resume_point();
+  // The states of the tail statistics of all tiles (TailStatistics); none before the first sample.
+  std::vector<film::TailState> tail_states();
   // The image with fireflies re-weighted (film.fireflies), three numbers per pixel; nothing if they are kept.
   std::optional<std::vector<float>> reweighted_copy();
   // Photons or virtual lights that the integrator stores; null if none.

@@ -32,9 +32,10 @@ bool SessionFilm::clear(const Document& document, const std::function<bool()>& k
   return clear_cascades(document, keep_going);
 }
 
-void SessionFilm::resume(const Document& document, film::Film&& film) {
+void SessionFilm::resume(const Document& document, film::Film&& film, std::span<const film::TailState> tails) {
   film_ = std::move(film);
   clear_tails(document);
+  if (!tails.empty()) tails_.restore(tails);
   reweighting_.reset();
   if (!reweights_fireflies(document)) return;
   reweighting_.emplace(document.width, document.height);

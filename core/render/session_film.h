@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/document.h"
@@ -24,9 +25,9 @@ class SessionFilm {
   // An empty film for a document. False if `keep_going` stopped it; it then has to be called again before sampling.
   bool clear(const Document& document, const std::function<bool()>& keep_going);
 
-  // Continues with a film whose samples were taken elsewhere. Only their means are known: tail statistics start empty,
-  // and firefly re-weighting treats all samples of a pixel as equally bright.
-  void resume(const Document& document, film::Film&& film);
+  // Continues with a film whose samples were taken elsewhere. Only their means are known, and the tail statistics if
+  // they are given: others start empty, and firefly re-weighting treats all samples of a pixel as equally bright.
+  void resume(const Document& document, film::Film&& film, std::span<const film::TailState> tails);
 
   // The image with fireflies re-weighted, three numbers per pixel; nothing unless the document re-weights fireflies.
   std::optional<std::vector<float>> reweighted() const;

@@ -282,6 +282,9 @@ film::Film Session::film_copy() {
 ResumePoint Session::resume_point() {
   return impl_->between_slices([](const ProgressiveRender& render) { return render.resume_point(); });
 }
+std::vector<film::TailState> Session::tail_states() {
+  return impl_->between_slices([](const ProgressiveRender& render) { return render.tail_states(); });
+}
 std::optional<std::vector<float>> Session::reweighted_copy() {
   return impl_->between_slices([](const ProgressiveRender& render) { return render.reweighted_copy(); });
 }

@@ -13,11 +13,6 @@ constexpr uint32_t kFirstUsedSample = 2;
 // would exceed 16 MiB.
 size_t tail_capacity(size_t tiles) { return tiles <= 16384 ? 256 : 128; }
 
-size_t tile_count(int width, int height) {
-  return static_cast<size_t>((width + TailStatistics::kWidth - 1) / TailStatistics::kWidth) *
-         static_cast<size_t>((height + TailStatistics::kHeight - 1) / TailStatistics::kHeight);
-}
-
 // The sum of the luminances of all samples of a pixel.
 double luminance_of(const film::Film::Pixel& p) {
   return 0.212671 * (p.sum[0][0] + p.sum[1][0]) + 0.715160 * (p.sum[0][1] + p.sum[1][1]) +
@@ -25,6 +20,12 @@ double luminance_of(const film::Film::Pixel& p) {
 }
 
 }  // namespace
+
+size_t TailStatistics::tile_count(int width, int height) {
+  return static_cast<size_t>((width + kWidth - 1) / kWidth) * static_cast<size_t>((height + kHeight - 1) / kHeight);
+}
+
+size_t TailStatistics::capacity(int width, int height) { return tail_capacity(tile_count(width, height)); }
 
 TailStatistics::TailStatistics(int width, int height)
     : width_(width),
@@ -47,10 +48,10 @@ void TailStatistics::add(const integrator::PixelBlock& block, std::span<const Rg
   double sum = 0;
   size_t i = 0;
   for (int y = block.y; y < block.y + block.height; ++y) {
-    const auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
+    auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
       const double expected = luminance_of(pixel[x]) * per_sample;
-      const bool is_valid = film.add(x, y, block.sample % film::kHalfBuffers, radiance[i]);
+      const bool is_valid = film.add(pixel[x], x, y, block.sample % film::kHalfBuffers, radiance[i]);
       const double value = is_valid ? static_cast<double>(luminance(radiance[i])) : 0;
       deviations[i] = static_cast<float>((value - expected) * scale);
       sum += value;
@@ -63,6 +64,16 @@ void TailStatistics::add(const integrator::PixelBlock& block, std::span<const Rg
 
 void TailStatistics::clear() {
   for (auto& tail : tails_) tail.clear();
+}
+
+std::vector<film::TailState> TailStatistics::states() const {
+  std::vector<film::TailState> states;
+  for (const auto& tail : tails_) states.push_back(tail.state());
+  return states;
+}
+
+void TailStatistics::restore(std::span<const film::TailState> states) {
+  for (size_t i = 0; i < tails_.size(); ++i) tails_[i] = film::TailAccumulator(tail_capacity(tails_.size()), states[i]);
 }
 
 size_t TailStatistics::memory(int width, int height) {

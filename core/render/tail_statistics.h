@@ -34,6 +34,13 @@ class TailStatistics {
   const std::vector<film::TailAccumulator>& tails() const { return tails_; }
   void clear();
 
+  // The states of all tiles, and back. The number of states must be that of the tiles.
+  std::vector<film::TailState> states() const;
+  void restore(std::span<const film::TailState> states);
+  // Of the accumulators of an image of this size.
+  static size_t capacity(int width, int height);
+  static size_t tile_count(int width, int height);
+
   // The largest number of bytes that the statistics of an image take.
   static size_t memory(int width, int height);
 

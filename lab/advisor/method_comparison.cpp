@@ -47,16 +47,14 @@ void measure_mean(ComparedMethod& m) {
 
 // The film with one sample per half-buffer, whose values are the displayed means of that half-buffer.
 film::Film displayed_film(const film::Film& film, const film::DisplayTransform& display) {
-  film::Film shown = film;
-  for (auto& pixel : shown.pixels())
-    for (size_t half = 0; half < film::kHalfBuffers; ++half) {
-      const double n = std::max(1u, pixel.count[half]);
-      const Rgb value =
-          display(Rgb(static_cast<float>(pixel.sum[half][0] / n), static_cast<float>(pixel.sum[half][1] / n),
-                      static_cast<float>(pixel.sum[half][2] / n)));
-      pixel.sum[half] = {double{value.r}, double{value.g}, double{value.b}};
-      pixel.count[half] = 1;
-    }
+  film::Film shown(film.width(), film.height());
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
+        const bool is_empty = film.half_buffer_samples(x, y, half) == 0;
+        const Rgb value = display(is_empty ? Rgb(0) : film.half_buffer_mean(x, y, half));
+        shown.add_sum(x, y, half, {double{value.r}, double{value.g}, double{value.b}}, 1);
+      }
   return shown;
 }
 

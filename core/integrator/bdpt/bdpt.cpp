@@ -47,6 +47,8 @@ class Bdpt final : public IntegratorBase<Bdpt> {
             "lens, and never for point lights. Inefficient if the lights are far from the visible surfaces. Light of "
             "media that emit is found by camera subpaths only.",
         .accumulation = Accumulation::with_splats,
+        .division = {DivisionUnit::samples, false,
+                     "A sample depends on its pixel and its number only. Its light subpath contributes to any pixel."},
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
         .scattering_media = true,

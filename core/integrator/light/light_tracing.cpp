@@ -34,6 +34,8 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
             "Surfaces viewed in mirrors or through glass are black. Views of a small part of the lit scene receive few "
             "paths.",
         .accumulation = Accumulation::splats_only,
+        .division = {DivisionUnit::samples, false,
+                     "A light path depends on the number of its sample only, and contributes to any pixel."},
         .shortcut = '5',
         .scattering_media = true,
         .heterogeneous_media = true,

@@ -33,6 +33,8 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
         .limitations =
             "Noise grows with the inverse of the lens area. Pinhole and orthographic cameras receive no light.",
         .accumulation = Accumulation::splats_only,
+        .division = {DivisionUnit::samples, false,
+                     "A light path depends on the number of its sample only, and contributes to any pixel."},
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,

@@ -48,7 +48,7 @@
 #include <string>
 
 #include "base/hash.h"
-#include "film/film.h"
+#include "film/half_buffers.h"
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_state.h"
 #include "integrator/markov_chain/metropolis.h"

@@ -46,6 +46,7 @@ class Mlt final : public IntegratorBase<Mlt> {
             "stay missing or spotty for long. Point lights seen in mirrors by way of a scattering surface are never "
             "found.",
         .accumulation = Accumulation::splats_only,
+        .division = {DivisionUnit::none, false, "The Markov chains of a sample continue those of the sample before."},
         .shortcut = '7',
         .scattering_media = true,
         .heterogeneous_media = true,

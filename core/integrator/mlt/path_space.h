@@ -9,7 +9,7 @@
 //
 // In scattering media, edges end at collisions or on surfaces, by free flights (transport::trace_flight).
 #pragma once
-#include "film/film.h"
+#include "film/half_buffers.h"
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"

@@ -81,6 +81,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
             "visualization darkens edges and leaks light. Glossy surfaces below the roughness limit receive point "
             "lights only directly.",
         .accumulation = Accumulation::per_image,
+        .division = {DivisionUnit::passes, true, "Each part traces the same photons again."},
         .shortcut = '8',
         .scattering_media = true,
         .heterogeneous_media = true,

@@ -62,6 +62,9 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
             "samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a small part "
             "of the lit scene receive few photons.",
         .accumulation = Accumulation::per_image,
+        .division =
+            {DivisionUnit::passes, true,
+             "The photons and the radius of a sample depend on its number only. Each region traces the photons again."},
         .shortcut = '9',
         .scattering_media = true,
         .heterogeneous_media = true,

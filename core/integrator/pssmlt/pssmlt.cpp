@@ -53,6 +53,7 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
             "resemble structure. The brightness comes from independent samples: too dark until they have found rare, "
             "bright paths.",
         .accumulation = Accumulation::splats_only,
+        .division = {DivisionUnit::none, false, "The Markov chains of a sample continue those of the sample before."},
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,

@@ -71,6 +71,7 @@ class Radiosity final : public IntegratorBase<Radiosity>, public radiosity::Para
             "Diffuse surfaces only. For any number of samples: shadows blur and light leaks by the size of a "
             "patch; smaller patches reduce it.",
         .accumulation = Accumulation::per_image,
+        .division = {DivisionUnit::passes, true, "Each part computes the same solution again."},
     };
   }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/hash.h"
-#include "film/film.h"
+#include "film/half_buffers.h"
 #include "integrator/integrator.h"
 #include "integrator/shared/pixel_order.h"
 #include "transport/path_expression/path_expression.h"

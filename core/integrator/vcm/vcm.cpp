@@ -46,6 +46,9 @@ class Vcm final : public IntegratorBase<Vcm> {
             "Simple scenes gain nothing over path tracing. Light of media that emit is found by camera subpaths only, "
             "and caustics of point lights in media seen through glass are not found.",
         .accumulation = Accumulation::with_splats,
+        .division = {DivisionUnit::passes, false,
+                     "The light subpaths and the radius of a sample depend on its number only. They contribute to any "
+                     "pixel."},
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,

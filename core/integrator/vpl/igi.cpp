@@ -57,6 +57,8 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
             "vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as "
             "diffuse unless the full BSDF is used.",
         .accumulation = Accumulation::per_image,
+        .division = {DivisionUnit::passes, true,
+                     "The virtual lights of a sample depend on its number only. Each region makes them again."},
         .scattering_media = true,
         .heterogeneous_media = true,
         .emitting_media = true,

@@ -1,0 +1,110 @@
+#include "render_results.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "advisor/certificate.h"
+#include "base/file.h"
+#include "render/aov.h"
+#include "render/image_output.h"
+#include "render_statistics.h"
+
+namespace etendue::cli {
+namespace {
+
+constexpr uint32_t kAovSamples = 16;  // per pixel
+// Time for finding out which light paths the method may miss: a fraction of the rendering time, with an upper limit in
+// seconds.
+constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
+
+std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
+                           const film::Film& film) {
+  const double seconds = std::min(kCertificateSeconds, kCertificateFraction * s.seconds);
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
+                                           s.reliability ? s.reliability->tail.khat : std::optional<double>()};
+  return advisor::certificate_json(
+      advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> parse_aovs(const std::string& text) {
+  std::vector<std::string> names;
+  const auto& of_media = render::medium_aov_names();
+  std::vector<std::string> known = render::aov_names();
+  const size_t of_hits = known.size();
+  known.insert(known.end(), of_media.begin(), of_media.end());
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
+    if (name == "all") {
+      names.insert(names.end(), known.begin(), known.begin() + static_cast<std::ptrdiff_t>(of_hits));
+      continue;
+    }
+    if (name == "media") {
+      names.insert(names.end(), of_media.begin(), of_media.end());
+      continue;
+    }
+    if (name.empty()) continue;
+    if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
+      std::string all = "sample-count";
+      for (const auto& k : known) all += ", " + k;
+      return usage_error("--aov: there is no layer '" + name + "'; give some of " + all);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+Result<void> check_names(const std::string& out, const std::string& png, const std::string& command) {
+  if (out.empty()) return usage_error(command + ": no output; give -o FILE.exr, .hdr, .png or .tif");
+  if (auto ok = render::check_output_name(out); !ok) return ok;
+  return png.empty() ? Result<void>() : render::check_output_name(png);
+}
+
+Result<void> write_results(render::Session& session, const render::Document& document, const render::Status& status,
+                           const ResultFiles& files, const std::string& choice) {
+  const film::Film film = session.film_copy();
+  const transport::Model model = session.model();
+  render::Rendering rendering{.document = document,
+                              .film = film,
+                              .samples = status.samples,
+                              .certificate = {},
+                              .reweighted = session.reweighted_copy()};
+  rendering.sample_counts = std::ranges::find(files.aovs, "sample-count") != files.aovs.end();
+  if (const auto compiled = session.scene(); compiled && !files.aovs.empty()) {
+    const uint32_t samples = std::max(status.samples, 1u);
+    rendering.layers =
+        render::render_aovs(*compiled, document, files.aovs, std::min(samples, kAovSamples), files.threads);
+    for (image::Layer& layer : render::render_medium_aovs(compiled, document, files.aovs, samples, files.threads))
+      rendering.layers.push_back(std::move(layer));
+  }
+  const bool stores_certificate = !(files.out.ends_with(".png") || files.out.ends_with(".hdr"));
+  // The session renders other documents for the certificate, so its film and model are copied before.
+  if (!files.json.empty() || stores_certificate)
+    rendering.certificate = certificate_of(session, document, status, film);
+  if (auto ok = render::write_image(files.out, rendering); !ok) return ok;
+  if (!files.png.empty())
+    if (auto ok = render::write_image(files.png, rendering); !ok) return ok;
+  if (files.json.empty()) return {};
+  return write_statistics(files.json, statistics_json({.document = document,
+                                                       .status = status,
+                                                       .model = model,
+                                                       .threads = files.threads,
+                                                       .certificate = rendering.certificate,
+                                                       .choice = choice}));
+}
+
+Result<void> write_statistics(const std::string& file, const std::string& json) {
+  const std::string text = json + "\n";
+  if (file != "-") return write_file(file, text.data(), text.size());
+  std::fputs(text.c_str(), stdout);
+  return {};
+}
+
+void print_reliability(const std::string& file, const render::Status& status) {
+  if (status.reliability && status.reliability->verdict == render::Verdict::unreliable)
+    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", file.c_str(), status.reliability->reason.c_str());
+}
+
+}  // namespace etendue::cli
