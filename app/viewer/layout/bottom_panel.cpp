@@ -43,12 +43,27 @@ void draw_tab(AppState& state, Panel& panel) {
   if (clicked) state.panels.toggle(panel);
 }
 
-// The space to the right of the tabs resizes an open panel.
-void draw_resize_grip(AppState& state, float top, float right, float bottom) {
+const ImVec2 kTabPadding{10, 5};  // pixels
+
+// The space between tabs: less where they would not fit.
+float tab_distance(const AppState& state, float right) {
   const float font_size = ImGui::GetFontSize();
-  const float width = right - 10 - ImGui::GetItemRectMax().x - font_size;
-  ImGui::SameLine(0, font_size);
-  ImGui::InvisibleButton("##grip", {std::max(1.0f, width), font_size});
+  float texts = 0;
+  int gaps = -1;
+  for (const auto& panel : state.panels.all()) {
+    if (panel->info().place != PanelPlace::bottom) continue;
+    texts += ImGui::CalcTextSize(panel->info().label).x;
+    ++gaps;
+  }
+  const float space = (right - 2 * kTabPadding.x - texts) / static_cast<float>(std::max(gaps, 1));
+  return std::clamp(space, 0.4f * font_size, 1.4f * font_size);
+}
+
+// The upper side resizes an open panel.
+void draw_resize_grip(AppState& state, float top, float right, float bottom) {
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({0, top});
+  ImGui::InvisibleButton("##grip", {right, kTabPadding.y});
   state.ui.items.add("layout.bottom-panel");
   const bool active = ImGui::IsItemActive();
   const bool hovered = ImGui::IsItemHovered();
@@ -62,18 +77,20 @@ void draw_resize_grip(AppState& state, float top, float right, float bottom) {
   }
   if (active) state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
   if (hovered && ImGui::IsMouseDoubleClicked(0)) state.settings.bottom_panel_height = 0;
+  ImGui::SetCursorScreenPos(start);
 }
 
 void draw_tabs(AppState& state, float top, float right, float bottom, bool resizable) {
-  begin_window("##bottom-tabs", {0, top}, {right, tab_height()}, {10, 5});
+  begin_window("##bottom-tabs", {0, top}, {right, tab_height()}, kTabPadding);
+  if (resizable) draw_resize_grip(state, top, right, bottom);
+  const float distance = tab_distance(state, right);
   bool first = true;
   for (const auto& panel : state.panels.all()) {
     if (panel->info().place != PanelPlace::bottom) continue;
-    if (!first) ImGui::SameLine(0, ImGui::GetFontSize() * 1.4f);
+    if (!first) ImGui::SameLine(0, distance);
     first = false;
     draw_tab(state, *panel);
   }
-  if (resizable) draw_resize_grip(state, top, right, bottom);
   end_window();
 }
 
