@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "base/error_free.h"
+#include "base/state_bytes.h"
 
 namespace etendue::film {
 
@@ -96,23 +97,17 @@ size_t RoundingErrors::memory() const {
 }
 
 std::vector<std::byte> RoundingErrors::bytes() const {
-  std::vector<std::byte> bytes;
+  StateWriter out;
   for (size_t i = 0; i < segments_.size(); ++i)
-    for (const Segment* s = segments_[i].load(); s; s = s->next.load()) {
-      const Record record{i, s->errors};
-      const auto* begin = reinterpret_cast<const std::byte*>(&record);
-      bytes.insert(bytes.end(), begin, begin + sizeof record);
-    }
-  return bytes;
+    for (const Segment* s = segments_[i].load(); s; s = s->next.load()) out.value(Record{i, s->errors});
+  return out.take();
 }
 
 bool RoundingErrors::restore(std::span<const std::byte> bytes) {
-  if (bytes.size() % sizeof(Record) != 0) return false;
   for (Link& link : segments_) link.clear();
-  for (; !bytes.empty(); bytes = bytes.subspan(sizeof(Record))) {
+  for (StateReader in(bytes); !in.at_end();) {
     Record record;
-    std::memcpy(&record, bytes.data(), sizeof record);
-    if (record.segment >= segments_.size()) return false;
+    if (!in.value(record) || record.segment >= segments_.size()) return false;
     Link* link = &segments_[record.segment];
     while (Segment* s = link->load()) link = &s->next;
     link->obtain().errors = record.errors;

@@ -3,32 +3,38 @@
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
+#include <vector>
 
 namespace etendue::equations {
 
 ChiSquareTest chi_square_test(std::span<const double> counts, std::span<const double> expected) {
   constexpr double kSmallestExpectation = 5;
-  ChiSquareTest test;
-  double pooled_count = 0, pooled_expectation = 0;
-  int cells = 0;
-  const auto add = [&](double count, double expectation) {
-    test.statistic += (count - expectation) * (count - expectation) / expectation;
-    ++cells;
+  struct Cell {
+    double count = 0, expectation = 0;
   };
+  Cell pooled;
+  std::vector<Cell> cells;
   for (size_t i = 0; i < counts.size(); ++i) {
     if (expected[i] >= kSmallestExpectation) {
-      add(counts[i], expected[i]);
+      cells.push_back({counts[i], expected[i]});
     } else {
-      pooled_count += counts[i];
-      pooled_expectation += expected[i];
+      pooled.count += counts[i];
+      pooled.expectation += expected[i];
     }
   }
+  ChiSquareTest test;
   // Counts in cells that the density does not reach are impossible.
-  if (pooled_expectation > 0)
-    add(pooled_count, pooled_expectation);
-  else if (pooled_count > 0)
-    test.statistic = INFINITY;
-  test.degrees = std::max(1, cells - 1);
+  if (pooled.expectation == 0 && pooled.count > 0) test.statistic = INFINITY;
+  if (pooled.expectation >= kSmallestExpectation || (cells.empty() && pooled.expectation > 0)) {
+    cells.push_back(pooled);
+  } else if (!cells.empty()) {
+    Cell& smallest = *std::ranges::min_element(cells, {}, &Cell::expectation);
+    smallest.count += pooled.count;
+    smallest.expectation += pooled.expectation;
+  }
+  for (const Cell& cell : cells)
+    test.statistic += (cell.count - cell.expectation) * (cell.count - cell.expectation) / cell.expectation;
+  test.degrees = std::max(1, static_cast<int>(cells.size()) - 1);
   test.p_value = chi_square_survival(test.statistic, test.degrees);
   return test;
 }

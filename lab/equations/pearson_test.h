@@ -10,7 +10,8 @@ struct ChiSquareTest {
   double p_value = 1;  // probability of a statistic at least as large if the expectations are right
 };
 
-// Cells with an expectation below five are counted together.
+// Cells with an expectation below five are counted together; together with the smallest other cell if that is still too
+// few.
 ChiSquareTest chi_square_test(std::span<const double> counts, std::span<const double> expected);
 
 // The survival function of the chi-square distribution.

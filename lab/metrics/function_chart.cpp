@@ -137,8 +137,7 @@ class FunctionDrawing {
       if (!tick.label.empty()) add_text(left_ - 8, y + 4, tick.label, Anchor::right, palette.text);
     }
     add_line({{left_, top_}, {left_, bottom_}, {right_, bottom_}}, palette.text, 1);
-    if (options_.embedded)
-      return add_text(right_ - 8, top_ + 18, chart_.y_label + " over " + chart_.x_label, Anchor::right, palette.text);
+    if (options_.embedded) return;
     add_text(left_, 20, chart_.title, Anchor::left, palette.text, kLargeText);
     add_text(left_, 42, chart_.y_label, Anchor::left, palette.text);
     add_text(right_, bottom_ + 36, chart_.x_label, Anchor::right, palette.text);

@@ -32,7 +32,8 @@ struct FunctionChart {
   bool logarithmic_x = false, logarithmic_y = false;  // points without a logarithm are left out
 };
 
-// Draws title, axes, curves and a legend. Of the options, `embedded` draws neither title nor legend; width, height and
+// Draws title, axes, curves and a legend. Of the options, `embedded` draws neither title and names of the axes nor
+// legend; width, height and
 // palette are as for convergence_chart.
 Drawing function_drawing(const FunctionChart& chart, const ChartOptions& options);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "equations/pearson_test.h"
 #include "support/sphere_partition.h"
 
 namespace etendue::test {
@@ -13,30 +14,7 @@ constexpr int kPilotDivisor = 5;
 constexpr size_t kCells = 250;  // approximate number of cells
 constexpr int kFinerLevels = 5;
 
-// Regularised upper incomplete gamma function: series below a + 1, Lentz's continued fraction above.
-double upper_gamma(double a, double x) {
-  if (x <= 0) return 1;
-  const double front = std::exp(-x + a * std::log(x) - std::lgamma(a));
-  if (x < a + 1) {
-    double term = 1 / a, sum = term;
-    for (int n = 1; n < 10'000 && term > sum * 1e-15; ++n) sum += term *= x / (a + n);
-    return 1 - sum * front;
-  }
-  double b = x + 1 - a, c = 1e300, d = 1 / b, h = d;
-  for (int i = 1; i < 10'000; ++i) {
-    const double an = -i * (i - a);
-    b += 2;
-    d = 1 / std::max(an * d + b, 1e-300);
-    c = b + an / c;
-    h *= d * c;
-    if (std::abs(d * c - 1) < 1e-15) break;
-  }
-  return front * h;
-}
-
 }  // namespace
-
-double chi_square_tail(double statistic, int degrees) { return upper_gamma(0.5 * degrees, 0.5 * statistic); }
 
 ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
                                int samples) {
@@ -85,7 +63,7 @@ ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const s
   // Samples in regions of zero density.
   if (pooled_expected < 5 && pooled_count > 5 * (pooled_expected + 5)) result.statistic += 1e9;
   result.degrees = std::max(1, kinds - 1);
-  result.p_value = chi_square_tail(result.statistic, result.degrees);
+  result.p_value = equations::chi_square_survival(result.statistic, result.degrees);
   return result;
 }
 

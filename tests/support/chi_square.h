@@ -17,7 +17,4 @@ struct ChiSquare {
 ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
                                int samples);
 
-// Survival function of the chi-square distribution.
-double chi_square_tail(double statistic, int degrees);
-
 }  // namespace etendue::test

@@ -223,7 +223,7 @@ class LabPanel final : public Panel {
   static void draw_one_chart(AppState& state, const Chart& chart, size_t index, const Vec2& size) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const std::vector<std::string> names = curve_names(chart);
-    ImGui::TextUnformatted(shortened(experiments::title_of(chart), size.x).c_str());
+    ImGui::TextUnformatted(shortened(heading_of(chart), size.x).c_str());
     const float legend = line * static_cast<float>(legend_lines(names, size.x));
     metrics::ChartOptions options;
     options.embedded = true;
@@ -234,6 +234,13 @@ class LabPanel final : public Panel {
     options.height = static_cast<int>(chart_size.y / state.ui.scale);
     draw_chart(state.ui, "lab.chart." + std::to_string(index), chart_size, experiments::drawing_of(chart, options));
     draw_legend(names, size.x);
+  }
+
+  // Title and axes; the drawing of a chart of errors names its axes itself.
+  static std::string heading_of(const Chart& chart) {
+    const auto* function = std::get_if<metrics::FunctionChart>(&chart);
+    if (!function) return experiments::title_of(chart);
+    return function->title + ": " + function->y_label + " over " + function->x_label;
   }
 
   static std::vector<std::string> curve_names(const Chart& chart) {

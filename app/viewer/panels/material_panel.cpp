@@ -151,9 +151,7 @@ void draw_spectrum(UiContext& ui, const Material& material) {
       return ((eta - 1) * (eta - 1) + kappa * kappa) / ((eta + 1) * (eta + 1) + kappa * kappa);
     });
   spectrum_plot(ui, "material.spectrum-plot", "Spectrum of the base colour", 1, [&](double wavelength) {
-    Wavelengths w;
-    w.nm.fill(static_cast<float>(wavelength));
-    return static_cast<double>(uplift_reflectance(material.base_color, w)[0]);
+    return static_cast<double>(uplift_reflectance(material.base_color, only_wavelength(wavelength))[0]);
   });
 }
 

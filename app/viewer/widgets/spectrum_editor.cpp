@@ -174,17 +174,10 @@ void replace_by_points_button(AppState& state, const render::DocumentParameter& 
   state.editor->end_gesture();
 }
 
-// Four times the same wavelength, in nm.
-Wavelengths only(double wavelength) {
-  Wavelengths w;
-  w.nm.fill(static_cast<float>(wavelength));
-  return w;
-}
-
 // The function of a spectrum of a medium.
 template <class S>
 SpectrumFunction function_of(const S& spectrum) {
-  return [spectrum](double wavelength) { return static_cast<double>(spectrum.at(only(wavelength))[0]); };
+  return [spectrum](double wavelength) { return static_cast<double>(spectrum.at(only_wavelength(wavelength))[0]); };
 }
 
 }  // namespace

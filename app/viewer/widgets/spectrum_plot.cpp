@@ -20,6 +20,12 @@ ImU32 color_of(double wavelength) {
 
 }  // namespace
 
+Wavelengths only_wavelength(double wavelength) {
+  Wavelengths w;
+  w.nm.fill(static_cast<float>(wavelength));
+  return w;
+}
+
 double largest_value(const SpectrumFunction& value) {
   double largest = 0;
   for (size_t i = 0; i < kWavelengths; ++i) largest = std::max(largest, value(table_wavelength(i)));

@@ -2,12 +2,16 @@
 #pragma once
 #include <functional>
 
+#include "spectrum/wavelengths.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/widgets/plot.h"
 
 namespace etendue::viewer {
 
 struct UiContext;
+
+// Four times the same wavelength, in nm.
+Wavelengths only_wavelength(double wavelength);
 
 using SpectrumFunction = std::function<double(double)>;  // of the wavelength in nm
 // The largest value at the wavelengths of the chart.

@@ -233,6 +233,7 @@ class BidirectionalSampler {
     for (int i = 0; i < subpaths_.camera.hit_count(); ++i) {
       const scene::SurfacePoint& z = subpaths_.camera.point(i);
       if (!subpaths_.is_on_surface(z) || !subpaths_.camera.bsdf(i).has_non_delta_lobe()) continue;
+      if constexpr (M::kClasses) subpaths_.camera.shares().copy(subpaths_.camera.path_at(i), camera_shares_);
       Color sum(0);
       options_->merges->for_each_near(z.position, z.ng, [&](const MergeVertex& y) { sum += merged(i, y); });
       auto& state = subpaths_.camera.state_at(i);
@@ -253,9 +254,8 @@ class BidirectionalSampler {
     return value;
   }
 
-  // The share of a merge that belongs to the selected path classes.
+  // The share of a merge that belongs to the selected path classes. `camera_shares_` are those at camera vertex i.
   Color class_share(int i, const MergeVertex& y) {
-    subpaths_.camera.shares().copy(subpaths_.camera.path_at(i), camera_shares_);
     subpaths_.camera.shares().after_connection(camera_shares_, subpaths_.camera.bsdf(i), subpaths_.camera.wo(i), y.wo,
                                                camera_shares_after_);
     Color sum(0);

@@ -54,6 +54,7 @@ class BidirectionalSubpaths {
     options_ = &options;
     techniques_ = techniques;
     pixels_ = pixels;
+    merge_density_ = options.merges ? options.merges->density() : 0;
   }
 
   // Without reuse, each path is one connection of the ends of two subpaths. The numbers of vertices are sampled from
@@ -301,9 +302,8 @@ class BidirectionalSubpaths {
   using PerHit = std::array<MisVertex, kHitsAtATime>;
 
   const Technique& technique(int path) const { return techniques_[static_cast<size_t>(path)]; }
-  float merge_density() const { return options_->merges ? options_->merges->density() : 0; }
-  MisRule light_rule() const { return {options_->heuristic, MisRule::Side::light, merge_density()}; }
-  MisRule camera_rule() const { return {options_->heuristic, MisRule::Side::camera, merge_density()}; }
+  MisRule light_rule() const { return {options_->heuristic, MisRule::Side::light, merge_density_}; }
+  MisRule camera_rule() const { return {options_->heuristic, MisRule::Side::camera, merge_density_}; }
 
   static int sample_vertex_count(uint32_t bits, float& inverse_probability) {
     constexpr float kTermination = 0.35f;
@@ -407,6 +407,7 @@ class BidirectionalSubpaths {
   std::array<Technique, kPaths> sampled_techniques_;  // without reuse
   PerPath<float> inverse_probability_;                // of the sampled technique
   float pixels_ = 1;                                  // area of the image in pixels
+  float merge_density_ = 0;                           // 0 if vertices are not merged
   VertexPool<M> pool_;
   PerPath<const Vertex*> last_light_vertex_;
   PerPath<MisChain> light_chains_, camera_chains_;

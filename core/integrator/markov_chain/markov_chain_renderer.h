@@ -50,7 +50,7 @@
 #include "base/hash.h"
 #include "film/half_buffers.h"
 #include "integrator/integrator.h"
-#include "integrator/markov_chain/chain_state.h"
+#include "base/state_bytes.h"
 #include "integrator/markov_chain/metropolis.h"
 #include "integrator/markov_chain/seed_selection.h"
 

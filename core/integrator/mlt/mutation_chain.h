@@ -1,7 +1,7 @@
 // A Markov chain over light paths, and its contributions to the image.           [Lang, sec. 9.4.2, 9.4.4, Remark 9.19]
 #pragma once
 #include "film/splats.h"
-#include "integrator/markov_chain/chain_state.h"
+#include "base/state_bytes.h"
 #include "integrator/markov_chain/metropolis.h"
 #include "integrator/mlt/mutations.h"
 

@@ -38,7 +38,7 @@
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/photon/photon_paths.h"
-#include "integrator/photon/pixel_footprint.h"
+#include "integrator/photon/progressive_radius.h"
 #include "integrator/registration.h"
 
 namespace etendue::integrator {
@@ -129,14 +129,6 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
-
-  // The area of the disc, and the volume of the ball, of sample number `index` (from 0) of a half-buffer, relative to
-  // the first.
-  double region_ratio(uint32_t index) const {
-    double ratio = 1;
-    for (uint32_t i = 1; i <= index; ++i) ratio *= (i + double{alpha}) / (i + 1.0);
-    return ratio;
-  }
 };
 namespace {
 
@@ -152,7 +144,7 @@ class State final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    const double ratio = integrator_.region_ratio(sample / film::kHalfBuffers);
+    const double ratio = region_ratio(double{integrator_.alpha}, sample / film::kHalfBuffers);
     radius_ = integrator_.radius * static_cast<float>(std::sqrt(ratio));
     const float diameter = 2 * context_.scene->bounds().radius();
     volume_radius_ = integrator_.volume_radius * diameter * static_cast<float>(std::cbrt(ratio));

@@ -24,7 +24,7 @@
 //                 only, and caustics of point lights in media seen through glass are not found.
 #include "integrator/bdpt/bidirectional_sampler.h"
 #include "integrator/integrator_base.h"
-#include "integrator/photon/pixel_footprint.h"
+#include "integrator/photon/progressive_radius.h"
 #include "integrator/registration.h"
 #include "transport/path_expression/join_weights.h"
 
@@ -80,13 +80,6 @@ class Vcm final : public IntegratorBase<Vcm> {
   auto parameters() { return std::tie(max_depth, radius, alpha, roulette_start); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
-
-  // The radius of sample number `index` (from 0) of a half-buffer, relative to the first.
-  float radius_ratio(uint32_t index) const {
-    double squared = 1;
-    for (uint32_t i = 1; i <= index; ++i) squared *= (i + double{alpha}) / (i + 1.0);
-    return static_cast<float>(std::sqrt(squared));
-  }
 };
 namespace {
 
@@ -103,7 +96,8 @@ class VcmState final : public RenderState {
                  .merges = &map_} {}
 
   std::vector<Phase> phases(uint32_t sample) override {
-    const float radius = integrator_.radius * integrator_.radius_ratio(sample / film::kHalfBuffers) * pixel_;
+    const double shrunk = std::sqrt(region_ratio(double{integrator_.alpha}, sample / film::kHalfBuffers));
+    const float radius = integrator_.radius * static_cast<float>(shrunk) * pixel_;
     map_.begin(std::max(radius, kLeastRadius), light_paths());
     lists_.resize(static_cast<size_t>((light_paths() + kTask - 1) / kTask));
     return {{"tracing light paths", static_cast<int>(lists_.size())}, {"ordering vertices", MergeMap::kPieces}};

@@ -69,7 +69,8 @@ class MisRule {
   // The power of a ratio, or of the factor that represents the whole ratio in ties.
   float ratio(float r) const { return power(r * tie_break_); }
   // The term of merging at a vertex with this density, relative to the connection there.
-  float merge(float pdf) const { return merges_ > 0 ? power(merges_ * pdf) : 0; }
+  float merge(float pdf) const { return power(merges_ * pdf); }
+  bool merges() const { return merges_ > 0; }
   float combine(float a, float b) const {
     return std::min(heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b, kMaxSum);
   }
@@ -108,7 +109,7 @@ struct MisVertex {
   // vertex, per solid angle. `mergeable`: the other subpath can be merged with this one here.
   float sum(const MisRule& rule, float reverse_pdf, float previous_reverse_pdf, bool mergeable = false) const {
     float before = sum_before(rule, previous_reverse_pdf);
-    if (mergeable) before = rule.combine(before, rule.merge(pdf));
+    if (mergeable && rule.merges()) before = rule.combine(before, rule.merge(pdf));
     return rule.ratio(reverse_pdf / pdf) * before;
   }
   // c_j + S_j.
@@ -174,7 +175,7 @@ class MisChain {
   void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta, bool on_surface) {
     previous_connectible_ = vertex.connectible && !delta;
     partial_sum_ = rule.combine(previous_connectible_ ? 1.0f : 0.0f, rule.power(reverse_pdf) * vertex.weighted_sum);
-    if (on_surface && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
+    if (rule.merges() && on_surface && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
     previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
     connectible_ = !delta;
     infinite_ = false;

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "integrator/markov_chain/chain_state.h"
+#include "base/state_bytes.h"
 #include "integrator/markov_chain/seed_selection.h"
 
 namespace etendue::integrator {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "bsdf/fresnel/fresnel.h"
+#include "equations/pearson_test.h"
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
-#include "support/chi_square.h"
 #include "support/directions.h"
 #include "support/integrator_scenes.h"
 #include "transport/wavefront/subsurface_scattering.h"
@@ -146,7 +146,7 @@ double p_value_of_entry_points(const char* model, bool dipole) {
   const double expected = 0.5 * kSamples / (kRings * kSectors), missing = kSamples - found;
   double statistic = sqr(missing - 0.5 * kSamples) / (0.5 * kSamples);
   for (const int count : counts) statistic += sqr(count - expected) / expected;
-  return test::chi_square_tail(statistic, kRings * kSectors);
+  return equations::chi_square_survival(statistic, kRings * kSectors);
 }
 
 TEST(Subsurface, EntryPointsFollowTheProfile) {

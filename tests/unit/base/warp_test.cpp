@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "support/chi_square.h"
+#include "equations/pearson_test.h"
 
 namespace etendue {
 namespace {
@@ -52,7 +52,7 @@ TEST(SquareToDisk, IsUniform) {
   const double expected = double{kPoints} / static_cast<double>(counts.size());
   double statistic = 0;
   for (const int n : counts) statistic += sqr(n - expected) / expected;
-  EXPECT_GT(test::chi_square_tail(statistic, static_cast<int>(counts.size()) - 1), 0.01);
+  EXPECT_GT(equations::chi_square_survival(statistic, static_cast<int>(counts.size()) - 1), 0.01);
 }
 
 TEST(SquareToTriangle, StaysInsideAndHasTheCentroidAsMean) {

@@ -22,10 +22,18 @@ TEST(PearsonTest, SurvivalFunctionHasClosedForms) {
 }
 
 TEST(PearsonTest, SmallCellsAreCountedTogether) {
-  const std::vector<double> counts{10, 12, 1, 2, 0}, expected{11, 11, 1, 1, 1};
+  const std::vector<double> counts{10, 12, 3, 2, 0}, expected{11, 11, 2, 2, 2};
   const ChiSquareTest test = chi_square_test(counts, expected);
   EXPECT_EQ(test.degrees, 2);
-  EXPECT_NEAR(test.statistic, 2.0 / 11, 1e-14);
+  EXPECT_NEAR(test.statistic, 2.0 / 11 + 1.0 / 6, 1e-14);
+}
+
+// A single count where a hundredth is expected says nothing.
+TEST(PearsonTest, FewCountsJoinTheSmallestCell) {
+  const std::vector<double> counts{20, 12, 1}, expected{21, 11.99, 0.01};
+  const ChiSquareTest test = chi_square_test(counts, expected);
+  EXPECT_EQ(test.degrees, 1);
+  EXPECT_NEAR(test.statistic, 1.0 / 21 + 1.0 / 12, 1e-13);
 }
 
 TEST(PearsonTest, CountsWhereThereShouldBeNoneAreImpossible) {

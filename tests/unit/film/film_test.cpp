@@ -3,9 +3,9 @@
 
 #include <random>
 
+#include "equations/pearson_test.h"
 #include "film/film.h"
 #include "film/filter.h"
-#include "support/chi_square.h"
 
 namespace etendue::film {
 namespace {
@@ -130,7 +130,7 @@ TEST_P(EveryFilter, SamplesFollowTheFilter) {
     if (expected * kSamples >= 5) statistic += sqr(counts[c] - expected * kSamples) / (expected * kSamples);
   }
   EXPECT_NEAR(total, 1, 1e-4);
-  EXPECT_GT(test::chi_square_tail(statistic, kCells - 1), 0.0025);
+  EXPECT_GT(equations::chi_square_survival(statistic, kCells - 1), 0.0025);
 }
 
 TEST_P(EveryFilter, BatchesEqualSingleSamples) {

@@ -2,6 +2,7 @@
 // sky with its sun, and environment portals. The false-alarm rate of the file is 1 %.
 #include <gtest/gtest.h>
 
+#include "equations/pearson_test.h"
 #include "light/environments/hosek_sky.h"
 #include "light/photometry_reader.h"
 #include "light/sampling/environment_portals.h"
@@ -150,7 +151,7 @@ TEST(LightDensity, DirectionsToTheSun) {
   }
   double statistic = 0;
   for (const int count : counts) statistic += sqr(count - kSamples / 256.0) / (kSamples / 256.0);
-  EXPECT_GT(test::chi_square_tail(statistic, 255), 1 - std::pow(0.99, 1.0 / kTests));
+  EXPECT_GT(equations::chi_square_survival(statistic, 255), 1 - std::pow(0.99, 1.0 / kTests));
 }
 
 // Directions through two portals, from receivers that face one or both.

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/chi_square.h"
+#include "equations/pearson_test.h"
 #include "unit/light/light_queries.h"
 
 namespace etendue {
@@ -108,7 +108,7 @@ TEST(LightTree, SelectsWithTheStatedProbabilities) {
       add_cell(rare_count, rare);
     else
       EXPECT_LT(rare_count, 20);
-    EXPECT_GT(test::chi_square_tail(statistic, cells - 1), 0.01 / kReceivers) << "receiver " << receiver;
+    EXPECT_GT(equations::chi_square_survival(statistic, cells - 1), 0.01 / kReceivers) << "receiver " << receiver;
   }
 }
 

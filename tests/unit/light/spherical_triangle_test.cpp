@@ -7,7 +7,7 @@
 #include <random>
 
 #include "base/warp.h"
-#include "support/chi_square.h"
+#include "equations/pearson_test.h"
 #include "unit/light/light_queries.h"
 
 namespace etendue {
@@ -92,7 +92,7 @@ TEST(SphericalTriangle, DirectionsAreUniform) {
           ++cells;
         }
     EXPECT_EQ(cells, kSides * kSides);
-    EXPECT_GT(test::chi_square_tail(statistic, cells - 1), 0.01 / std::size(kTriangles))
+    EXPECT_GT(equations::chi_square_survival(statistic, cells - 1), 0.01 / std::size(kTriangles))
         << "solid angle " << seen.solid_angle();
   }
 }

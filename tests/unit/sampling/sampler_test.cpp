@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "base/hash.h"
-#include "support/chi_square.h"
+#include "equations/pearson_test.h"
 #include "unit/sampling/points.h"
 
 namespace etendue {
@@ -61,7 +61,8 @@ TEST_P(EverySampler, EachDimensionIsUniform) {
     for (size_t d = 0; d < kDimensions; ++d) {
       double statistic = 0;
       for (const int n : counts[d]) statistic += sqr(n - double{kPixels} / kBins) / (double{kPixels} / kBins);
-      EXPECT_GT(test::chi_square_tail(statistic, kBins - 1), significance) << "sample " << s << " dimension " << d;
+      EXPECT_GT(equations::chi_square_survival(statistic, kBins - 1), significance)
+          << "sample " << s << " dimension " << d;
     }
   }
 }

@@ -1,4 +1,4 @@
-// The size of a pixel in the scene.
+// Radii of progressive density estimation: the size of a pixel in the scene, and the reduction from sample to sample.
 #pragma once
 #include "camera/camera_ray.h"
 
@@ -17,5 +17,13 @@ struct PixelFootprint {
   // In metres, at this distance.
   float over(float length) const { return width + angle * length; }
 };
+
+// The region of sample number `index` (from 0) of a half-buffer, relative to the first: the area of a disc or the volume
+// of a ball, which shrinks by (i + alpha) / (i + 1).                                          [Knaus and Zwicker 2011]
+inline double region_ratio(double alpha, uint32_t index) {
+  double ratio = 1;
+  for (uint32_t i = 1; i <= index; ++i) ratio *= (i + alpha) / (i + 1.0);
+  return ratio;
+}
 
 }  // namespace etendue::integrator

@@ -1,4 +1,4 @@
-// Serialisation of chain states for checkpoints: values as in memory, lists preceded by their lengths.
+// Serialisation of states for checkpoints and partial results: values as in memory, lists preceded by their lengths.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace etendue::integrator {
+namespace etendue {
 
 class StateWriter {
  public:
@@ -63,4 +63,4 @@ class StateReader {
   std::span<const std::byte> bytes_;
 };
 
-}  // namespace etendue::integrator
+}  // namespace etendue
