@@ -1,5 +1,5 @@
-#include "render/default_light.h"
 #include "render/document.h"
+#include "render/default_light.h"
 
 #include <algorithm>
 
@@ -47,12 +47,11 @@ Result<DocumentParameter> find_document_parameter(const Document& document, std:
 // are not meant to illuminate the scene.
 bool is_lit(const scene::Scene& s) {
   constexpr float kStrongestGlow = 1;
-  return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) { return n.light >= 0; }) ||
-         std::ranges::any_of(s.materials,
-                             [](const auto& m) {
-                               return max_component(m.emission) > kStrongestGlow || (m.is_solid() && m.medium.emits());
-                             }) ||
-         s.atmosphere.medium.emits();
+  return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) {
+    return n.light >= 0;
+  }) || std::ranges::any_of(s.materials, [](const auto& m) {
+    return max_component(m.emission) > kStrongestGlow || (m.is_solid() && m.medium.emits());
+  }) || s.atmosphere.medium.emits();
 }
 
 }  // namespace
@@ -113,6 +112,15 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   document.scene = std::make_shared<const scene::Scene>(std::move(s));
   document.origin = std::make_shared<const Document>(document);
   return document;
+}
+
+Result<Document> with_structural_edit(const Document& document, const scene::StructuralEdit& edit) {
+  auto scene = scene::with_edit(*document.scene, edit);
+  if (!scene) return scene.error();
+  Document changed = document;
+  changed.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+  changed.structure.push_back(edit);
+  return changed;
 }
 
 Result<Document> with_environment(const Document& document, const std::string& file) {

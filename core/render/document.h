@@ -20,6 +20,7 @@
 #include "render/render_part.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
+#include "scene/structural_edit.h"
 #include "transport/model.h"
 
 namespace etendue::render {
@@ -92,8 +93,9 @@ struct Document {
   Limits limits;
   RenderPart part;
   Display display;
-  bool lit_by_default = false;             // the scene has no light, so new_document added the studio environment
-  std::shared_ptr<const Document> origin;  // the document as it was opened; states record the differences from it
+  bool lit_by_default = false;                   // the scene has no light, so new_document added the studio environment
+  std::shared_ptr<const Document> origin;        // the document as it was opened; states record the differences from it
+  std::vector<scene::StructuralEdit> structure;  // that led from the scene of the origin to this one
 };
 
 // One parameter of a document: its description, and a function that changes it.
@@ -121,6 +123,9 @@ Result<Document> with_text(const Document& document, std::string_view name, std:
 
 // A new document for a scene with the given camera, or with the scene's first one, and default settings.
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");
+
+// The document after an edit that adds, removes or renames an object. The error says why the edit is impossible.
+Result<Document> with_structural_edit(const Document& document, const scene::StructuralEdit& edit);
 
 // The state of a document as JSON text, for snapshots and checkpoints: the scene's name and all parameters that differ
 // from the document's origin. If a folder is given, files in it or below are named relative to it, others absolutely;

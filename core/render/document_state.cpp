@@ -7,6 +7,7 @@
 
 #include "light/environments/uniform.h"
 #include "render/document.h"
+#include "render/structure_json.h"
 
 namespace etendue::render {
 namespace {
@@ -77,6 +78,36 @@ Result<Document> with_settings(Document document, const json& settings, bool sel
   return document;
 }
 
+// The document as it was opened, with the objects of this one.
+std::shared_ptr<const Document> origin_with_structure(const Document& document) {
+  if (!document.origin || document.structure.empty()) return document.origin;
+  auto scene = scene::with_edits(*document.origin->scene, document.structure);
+  if (!scene) return document.origin;
+  auto origin = std::make_shared<Document>(*document.origin);
+  origin->scene = std::make_shared<const scene::Scene>(std::move(*scene));
+  return origin;
+}
+
+// The camera by which the file is opened again. A camera that was added is not in the file; its values are settings.
+std::string camera_of_file(const Document& document) {
+  if (!document.origin || document.structure.empty()) return document.camera_name;
+  return scene::choose_camera(*document.origin->scene, document.camera_name) ? document.camera_name
+                                                                             : document.origin->camera_name;
+}
+
+// Applies the edits that add, remove and rename objects.
+Result<void> restore_structure(Document& document, const json& state, const std::string& source) {
+  if (!state.contains("structure")) return {};
+  const auto edits = structure_from_json(state["structure"]);
+  if (!edits) return input_error(source + ": " + edits.error().message);
+  for (const scene::StructuralEdit& edit : *edits) {
+    auto changed = with_structural_edit(document, edit);
+    if (!changed) return input_error(source + ": " + changed.error().message);
+    document = std::move(*changed);
+  }
+  return {};
+}
+
 // The method that was chosen automatically, and why.
 json automatic_json(const Document& document) {
   return {{"integrator", document.method.integrator}, {"reason", document.automatic.reason}};
@@ -114,17 +145,22 @@ void restore_version_1(Document& document) {
 
 std::string state_json(const Document& document, uint32_t samples, const std::string& folder) {
   json settings = json::object();
+  const auto origin = origin_with_structure(document);
   for (const auto& section : sections(document)) {
-    const auto original = document.origin ? values_of(*document.origin, section) : std::map<std::string, Value>();
+    const auto original = origin ? values_of(*origin, section) : std::map<std::string, Value>();
     for (const auto& [name, value] : values_of(document, section)) {
       const auto found = original.find(name);
       const bool is_changed = found == original.end() || found->second != value;
       if (is_changed || section == kDisplaySection) settings[name] = to_json_value<json>(value);
     }
   }
-  json state{
-      {"program", "etendue"},           {"version", kVersion}, {"scene", reference_from(folder, document.scene_name)},
-      {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
+  json state{{"program", "etendue"},
+             {"version", kVersion},
+             {"scene", reference_from(folder, document.scene_name)},
+             {"camera", camera_of_file(document)},
+             {"samples", samples},
+             {"settings", settings}};
+  if (!document.structure.empty()) state["structure"] = structure_json(document.structure);
   if (!document.part.is_whole()) state["part"] = part_json(document.part);
   if (document.automatic.enabled && !document.automatic.is_pending()) state["automatic"] = automatic_json(document);
   // The environment map of the scene's own file is loaded with the scene.
@@ -146,6 +182,7 @@ Result<Document> document_from_state(const std::string& text, const std::string&
     document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
     if (!document) return document;
   }
+  if (auto ok = restore_structure(*document, state, source); !ok) return ok.error();
   for (const bool selecting : {true, false}) {
     document = with_settings(std::move(*document), state["settings"], selecting, source);
     if (!document) return document;

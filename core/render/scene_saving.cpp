@@ -37,7 +37,7 @@ void replace_camera(scene::Scene& scene, const scene::Node& node, const Camera& 
 }  // namespace
 
 scene::Scene scene_to_save(const Document& document) {
-  scene::Scene scene = *document.scene;
+  scene::Scene scene = scene::without_removed(*document.scene, document.structure);
   if (document.lit_by_default && is_default(scene.environment)) scene.environment = Environment{};
   const int node = scene::node_of_camera(scene, document.camera);
   if (node >= 0) {
