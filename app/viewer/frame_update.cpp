@@ -16,6 +16,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/tasks/file_thumbnails.h"
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/tasks/surface_analysis.h"
@@ -29,8 +30,6 @@
 
 namespace etendue::viewer {
 namespace {
-
-constexpr int kMinImageSize = 16;  // pixels
 
 std::vector<Task*> all_tasks(const AppState& state) {
   std::vector<Task*> tasks{state.tasks.path_classes.get(), state.tasks.surface_analysis.get()};
@@ -85,9 +84,9 @@ void open_document(AppState& state, OpenedFile opened) {
   state.session->pause(false);
   state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered);
   state.viewport.pivot_is_outdated = true;
-  state.viewport.first_view =
-      opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
+  state.viewport.first_view = opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
   state.viewport.playback = {};
+  state.viewport.zoom = {};
   if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
   state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
   set_title(state);
@@ -206,6 +205,7 @@ void update_state(AppState& state, ImageView& live_image) {
   take_saved_session(state);
   take_loaded_image(state);
   if (!state.has_document()) return;
+  drop_stale_selection(state);
   update_image(state, live_image);
   update_comparison_source(state);
   for (const auto& panel : state.panels.all()) panel->update(state);

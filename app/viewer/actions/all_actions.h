@@ -11,6 +11,8 @@ void add_edit_actions(ActionList& actions);
 void add_render_actions(ActionList& actions);
 void add_integrator_actions(ActionList& actions);
 void add_view_actions(ActionList& actions);
+void add_zoom_actions(ActionList& actions);
+void add_object_actions(ActionList& actions);
 void add_comparison_actions(ActionList& actions);
 
 // The actions of the panels, and for each panel an action "view.NAME" that opens it.

@@ -17,7 +17,6 @@ namespace etendue::viewer {
 namespace {
 
 constexpr double kExposureStep = 0.5;  // stops
-constexpr int kMinImageSize = 16;      // pixels
 
 void change_exposure(AppState& state, double stops) {
   const auto parameter = document_parameter(state.document(), "camera.exposure");

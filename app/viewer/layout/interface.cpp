@@ -15,6 +15,7 @@
 #include "viewer/layout/status_bar.h"
 #include "viewer/layout/viewport_menu.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/viewport/overlays.h"
 
 namespace etendue::viewer {
@@ -27,6 +28,7 @@ Placement draw_frame(AppState& state) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   if (!state.interface.visible) return {Vec2(0), glm::max(Vec2(screen.x, screen.y), Vec2(1))};
   draw_menu_bar(state);
+  drop_stale_selection(state);
   const float top = ImGui::GetFrameHeight();
   const float status_top = screen.y - std::floor(ImGui::GetFontSize() + 10);
   draw_status_bar(state, status_top, screen.y - status_top);
@@ -51,9 +53,10 @@ void Interface::draw(AppState& state, float seconds) {
                           !state.files.lost_sessions.empty() || interface.preferences_open || interface.welcome_open;
   if (!interface.typing && !closes_popup && !has_dialog && !flying) state.actions.run_pressed(state, input);
 
+  drop_stale_selection(state);
   viewport.region = draw_frame(state);
   if (state.has_document())
-    viewport.image = fit_inside(viewport.region, {state.document().width, state.document().height});
+    viewport.image = placement_of(viewport.zoom, viewport.region, {state.document().width, state.document().height});
   viewport_.handle_input(state, seconds);
   advance_playback(state, seconds);
   draw_viewport_overlays(state);

@@ -8,6 +8,7 @@
 #include "viewer/files/loader.h"
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/exclusive_task.h"
+#include "viewer/viewport/image_zoom.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/status_icon.h"
 #include "viewer/widgets/value_text.h"
@@ -89,6 +90,16 @@ class StatusLine {
     ImGui::EndPopup();
   }
 
+  // The scale of the image. A click fits it into the viewport.
+  void add_zoom() {
+    const std::string text = formatted("%.0f %%", 100 * static_cast<double>(current_scale(state_)));
+    if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
+    ImGui::TextUnformatted(text.c_str());
+    state_.ui.items.add("status.zoom");
+    if (ImGui::IsItemHovered()) tooltip(state_.ui, "Zoom of the image. Click to fit it into the viewport");
+    if (ImGui::IsItemClicked()) set_scale(state_, 0);
+  }
+
   // The number of invalid samples. A click opens the Reliability panel.
   void add_invalid(uint64_t count) {
     const std::string text = formatted("%llu invalid", static_cast<unsigned long long>(count));
@@ -135,6 +146,7 @@ void draw_parts(AppState& state, StatusLine& line) {
                                     : ("Chosen automatically: " + automatic.reason).c_str());
   line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
            "Samples per pixel");
+  if (!state.viewport.zoom.is_fitted()) line.add_zoom();
   line.add(clock_text(status.seconds), "Rendering time of this image");
   if (status.time_left && !status.finished)
     line.add(remaining_time(*status.time_left),

@@ -20,12 +20,15 @@ void panel_item(AppState& state, const char* label, const char* panel) {
 
 // Entries for the selected object.
 void draw_object_items(AppState& state) {
-  const Selection& selection = state.selection;
-  const auto& nodes = state.document().scene->nodes;
+  const Selection selection = state.selection;
+  // An entry may replace the scene of the document.
+  const auto scene = state.document().scene;
+  const auto& nodes = scene->nodes;
   if (selection.node < 0 || static_cast<size_t>(selection.node) >= nodes.size()) return;
   const auto& node = nodes[static_cast<size_t>(selection.node)];
   ImGui::TextDisabled("%s", object_name(node.name, "object", static_cast<size_t>(selection.node)).c_str());
   action_menu_item(state, *state.actions.find("view.frame-selection"));
+  for (const char* action : {"object.duplicate", "object.delete"}) action_menu_item(state, *state.actions.find(action));
   if (ImGui::MenuItem("Hide")) state.set_parameter("node." + std::to_string(selection.node) + ".visible", false);
   state.ui.items.add("viewport-menu.hide");
   if (selection.material >= 0) panel_item(state, "Material", "tab.material");

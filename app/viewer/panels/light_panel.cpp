@@ -14,6 +14,7 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/tools/light_meter_tool.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -31,12 +32,19 @@ constexpr const char* kTemperatureItem = "light.temperature";
 constexpr const char* kUnitItem = "light.unit";
 
 void list_lights(AppState& state, const scene::Scene& scene) {
+  const std::vector<int> nodes = light_nodes(scene);
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     const int index = static_cast<int>(i);
+    const auto node =
+        std::ranges::find_if(nodes, [&](int n) { return scene.nodes[static_cast<size_t>(n)].light == index; });
+    if (node == nodes.end()) continue;
     const std::string text = object_name(light.name, "light", i) + "  (" + light.info().description.name + ")";
     ImGui::PushID(index);
-    if (ImGui::Selectable(text.c_str(), state.selection.light == index)) state.selection.light = index;
+    if (ImGui::Selectable(text.c_str(), state.selection.light == index)) {
+      state.select(*node, -1);
+      state.selection.light = index;
+    }
     ImGui::PopID();
     state.ui.items.add("light.choose." + std::to_string(i));
   }
@@ -225,6 +233,7 @@ class LightPanel final : public Panel {
     const auto index = static_cast<size_t>(selected);
     const Efficacy efficacy = meter_.parameters.efficacy;
     ImGui::Separator();
+    draw_object_buttons(state);
     preset_widget(state, index);
     draw_intensity(state, index, efficacy);
     const std::string section = "light." + std::to_string(index);
@@ -234,6 +243,16 @@ class LightPanel final : public Panel {
     emission_spectrum_editor(state, section + ".spectrum",
                              state.document().scene->lights[index].spectrum.spectrum.get());
     flux_values(state.ui, state.document().scene->lights[index], efficacy);
+  }
+
+  // Commands for the light, if it was selected as an object.
+  static void draw_object_buttons(AppState& state) {
+    if (!is_light_selected(state)) return;
+    action_button(state, "object.duplicate");
+    ImGui::SameLine();
+    action_button(state, "object.delete");
+    ImGui::SameLine();
+    action_button(state, "light.solo");
   }
 
   // The intensity in the chosen unit.

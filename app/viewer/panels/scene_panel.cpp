@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -14,8 +15,10 @@
 #include "viewer/panels/panel.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/number_widget.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/vector_widgets.h"
 
@@ -29,6 +32,8 @@ const char* kind_of(const scene::Node& node) {
   if (node.camera >= 0) return "camera";
   return "";
 }
+
+constexpr const char* kNameItem = "object.name";
 
 std::string node_name(const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
@@ -50,8 +55,25 @@ bool is_animated(const scene::Scene& scene, int index) {
       scene.animations, [&](const auto& animation) { return std::ranges::any_of(animation->channels, moves_node); });
 }
 
+// The name of the selected node, which is applied when the field is left or Enter is pressed.
+void name_field(AppState& state, const scene::Node& node) {
+  std::array<char, 256> text{};
+  node.name.copy(text.data(), text.size() - 1);
+  label_column("Name");
+  const bool entered = ImGui::InputText("##name", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = ImGui::IsItemDeactivatedAfterEdit();
+  state.ui.items.add(kNameItem);
+  if (const auto requested = state.ui.items.take_request(kNameItem)) {
+    rename_selected(state, *requested);
+    state.ui.items.answer("");
+    return;
+  }
+  if ((entered || left) && node.name != text.data()) rename_selected(state, text.data());
+}
+
 void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
+  name_field(state, node);
   section_widgets(state, "node." + std::to_string(index));
   if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
@@ -59,6 +81,10 @@ void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
     note(state.ui, "This transform is animated. Edits to animated channels have no effect.");
   if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
   action_button(state, "view.frame-selection");
+  ImGui::SameLine();
+  action_button(state, "object.duplicate");
+  ImGui::SameLine();
+  action_button(state, "object.delete");
 }
 
 void visibility_checkbox(AppState& state, const scene::Node& node, const std::string& section) {
@@ -75,7 +101,8 @@ void visibility_checkbox(AppState& state, const scene::Node& node, const std::st
 void draw_node_menu(AppState& state, const scene::Node& node, int index) {
   if (!ImGui::BeginPopupContextItem("##menu")) return;
   if (state.selection.node != index) state.select(index, -1);
-  action_menu_item(state, *state.actions.find("view.frame-selection"));
+  for (const char* action : {"view.frame-selection", "object.duplicate", "object.delete"})
+    action_menu_item(state, *state.actions.find(action));
   const std::string parameter = "node." + std::to_string(index) + ".visible";
   if (ImGui::MenuItem(node.visible ? "Hide" : "Show")) state.set_parameter(parameter, !node.visible);
   if (node.mesh >= 0 && ImGui::MenuItem("Material")) state.panels.open(*state.panels.find("tab.material"));
@@ -150,11 +177,13 @@ class ScenePanel final : public Panel {
   }
 
   std::vector<ItemInfo> items() const override {
-    return {{"scene.node.N", "Object", "Selects node N"}, {"scene.node.N.visible", "Visible", "Shows or hides node N"}};
+    return {{"scene.node.N", "Object", "Selects node N"},
+            {"scene.node.N.visible", "Visible", "Shows or hides node N"},
+            {kNameItem, "Name", "Name of the selected object"}};
   }
 
   bool reveal_parameter(AppState& state, const std::string& name) override {
-    if (name.starts_with("scene.")) return true;
+    if (name.starts_with("scene.") || name == kNameItem) return true;
     const auto index = object_index(name, "node");
     if (index) state.selection.node = *index;
     return index.has_value();

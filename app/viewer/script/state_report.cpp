@@ -48,6 +48,10 @@ json document_parameters(const AppState& state) {
   return parameters;
 }
 
+json placement_json(const Placement& placement) {
+  return {placement.corner.x, placement.corner.y, placement.size.x, placement.size.y};
+}
+
 json comparison_report(const Comparison& c) {
   json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped},
          {"a", c.first().name},     {"b", c.b.name},        {"reference", c.reference.name}};
@@ -107,6 +111,8 @@ std::string state_report(AppState& state) {
          {"bottom_panel", bottom_panel ? bottom_panel->info().name : ""},
          {"sheet", sheet_name(bottom_panel)},
          {"comparison", comparison_report(*state.viewport.comparison)},
+         {"zoom", state.viewport.zoom.scale},
+         {"image", placement_json(state.viewport.image)},
          {"points", nullptr},
          {"aov", nullptr},
          {"interface_share", state.timing.interface_share},

@@ -9,6 +9,7 @@
 #include "viewer/platform/platform.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/tasks/exclusive_task.h"
 #include "viewer/tasks/file_thumbnails.h"
 #include "viewer/tasks/path_class_task.h"
@@ -145,7 +146,9 @@ void AppState::store_settings() {
 void AppState::select(int node, int material) {
   selection.node = node;
   if (material >= 0) selection.material = material;
-  if (node < 0 || !has_document()) return;
+  // An image of an earlier document may show objects that this one does not have.
+  drop_stale_selection(*this);
+  if (selection.node < 0) return;
   const auto& scene = *document().scene;
   const auto& selected = scene.nodes[static_cast<size_t>(node)];
   if (selected.light >= 0) selection.light = selected.light;

@@ -23,6 +23,7 @@
 #include "viewer/viewer.h"
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/first_view.h"
+#include "viewer/viewport/image_zoom.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/viewport/timeline.h"
 #include "viewer/widgets/ui_context.h"
@@ -67,8 +68,9 @@ struct ClickTool {
 
 // The image on screen and what is drawn over it. None of this changes the document.
 struct ViewportState {
-  Placement region;                            // of the window that is left for the image
-  Placement image;                             // within the region
+  Placement region;  // of the window that is left for the image
+  ImageZoom zoom;
+  Placement image;                             // that the whole image fills; beyond the region if it is enlarged
   std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
   Darkness darkness = Darkness::none;          // of the frame
 
@@ -80,6 +82,9 @@ struct ViewportState {
   std::unique_ptr<Comparison> comparison;
   std::unique_ptr<StoredPoints> stored_points;
   std::unique_ptr<SelectionOutline> selection_outline;
+
+  // The part of the image that is inside the region.
+  Placement visible_image() const { return intersection(image, region); }
 
   bool aov_is_uploaded = false;  // the texture of the live image has an AOV
 

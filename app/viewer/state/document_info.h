@@ -12,6 +12,8 @@ struct MethodSettings;
 
 namespace etendue::viewer {
 
+inline constexpr int kMinImageSize = 16;  // pixels; images that follow the size of the viewport are not smaller
+
 // Whether two documents show the same scene from the same camera at the same size. Integrator, sampler, path filter and
 // display may differ.
 bool same_view(const render::Document& a, const render::Document& b);

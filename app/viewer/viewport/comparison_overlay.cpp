@@ -23,7 +23,7 @@ bool shows_divider(const AppState& state) {
 }
 
 void draw_divider(const AppState& state, ImDrawList* draw) {
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   const float em = ImGui::GetFontSize();
   const float unit = em / 14;
   const float x = divider_x(state);
@@ -52,7 +52,7 @@ std::string difference_title(const Comparison& c) {
 // The titles are placed at both sides of the divider, and shortened to the width of their side.
 void draw_side_titles(const AppState& state, ImDrawList* draw) {
   const Comparison& c = *state.viewport.comparison;
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   const float em = ImGui::GetFontSize();
   const float x = divider_x(state);
   const float y = image.corner.y + em * 0.6f;
@@ -72,7 +72,7 @@ void draw_side_titles(const AppState& state, ImDrawList* draw) {
 
 // Labels below each other in the upper left corner of the image.
 void draw_corner_labels(const AppState& state, ImDrawList* draw, const std::vector<std::string>& labels) {
-  Vec2 corner = state.viewport.image.corner + Vec2(ImGui::GetFontSize() * 0.6f);
+  Vec2 corner = state.viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.6f);
   for (const std::string& label : labels) corner.y += draw_label(draw, corner, label).y + 1;
 }
 
@@ -88,7 +88,7 @@ void draw_map_labels(const AppState& state, ImDrawList* draw) {
   draw_corner_labels(state, draw, {title, left_title(c), right_title(c)});
   if (!map) return;
   const UiContext& ui = state.ui;
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   if (is_flip) {
     const std::string labels[] = {"0", "0.25", "0.5", "0.75", "1"};
     draw_scale_bar(ui, draw, image, viridis, labels, "FLIP");
@@ -134,7 +134,7 @@ void draw_pixel_values(const AppState& state, ImDrawList* draw) {
     const auto value = static_cast<double>(map->values[index]);
     text += c.mode == CompareMode::flip ? formatted("\nFLIP %10.4f", value) : formatted("\nlum. %10.4g", value);
   }
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   ImGui::PushFont(state.ui.fonts.monospace);
   // In the right corner, because notices are in the left one.
   draw_label(draw, image.corner + image.size - Vec2(ImGui::GetFontSize() * 0.6f) - label_size(text), text);
@@ -148,7 +148,7 @@ bool DividerControl::handle_input(AppState& state, bool hovered) {
     held_ = false;
     return false;
   }
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   const Input& input = state.ui.input;
   Comparison& comparison = *state.viewport.comparison;
   const float grip = ImGui::GetFontSize() * 0.5f;

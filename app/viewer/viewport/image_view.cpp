@@ -15,6 +15,26 @@ static_assert(sizeof(Rgb) == 3 * sizeof(float));
 constexpr int kPaletteColors = 9;
 constexpr Vec2 kFalseColorRange(-7, 3);  // stops relative to display white
 
+// From this scale on, pixels are shown as squares.
+constexpr float kMinPixelScale = 2;
+
+// The pixels of an image that are visible, and where they appear.
+struct VisiblePixels {
+  Vec2i from, to;  // `to` is outside
+  Placement on_screen;
+};
+
+// An enlarged image may extend far beyond the window, so only the pixels that touch `clip` are copied.
+VisiblePixels visible_pixels(Vec2i size, const Placement& placement, const Placement& clip) {
+  const Vec2 scale = placement.size / Vec2(size);
+  const Placement part = intersection(placement, clip);
+  // One more pixel at each side, for the interpolation.
+  const Vec2i from = glm::max(Vec2i(glm::floor((part.corner - placement.corner) / scale)) - 1, Vec2i(0));
+  const Vec2i to = glm::min(Vec2i(glm::ceil((part.corner + part.size - placement.corner) / scale)) + 1, size);
+  const Vec2 corner = glm::round(placement.corner + Vec2(from) * scale);
+  return {from, to, {corner, glm::round(placement.corner + Vec2(to) * scale) - corner}};
+}
+
 // Compile errors are appended to `log`.
 GLuint compile_shader(const Gl& gl, GLenum kind, const char* source, std::string& log) {
   const GLuint shader = gl.CreateShader(kind);
@@ -126,12 +146,15 @@ void ImageView::draw(GLuint framebuffer, Vec2i framebuffer_size, const Placement
                      const DisplaySettings& settings, const std::optional<Placement>& clip) {
   if (empty()) return;
   if (outdated_ || !(last_settings_ == settings)) apply_display_transform(settings);
+  const VisiblePixels visible = visible_pixels({width_, height_}, placement, clip.value_or(placement));
+  if (visible.to.x <= visible.from.x || visible.to.y <= visible.from.y) return;
   // Row 0 of the texture is the top of the image; row 0 of the framebuffer is its bottom.
-  const auto x0 = static_cast<GLint>(placement.corner.x);
-  const auto x1 = static_cast<GLint>(placement.corner.x + placement.size.x);
-  const auto y0 = framebuffer_size.y - static_cast<GLint>(placement.corner.y);
-  const auto y1 = framebuffer_size.y - static_cast<GLint>(placement.corner.y + placement.size.y);
-  const bool same_scale = x1 - x0 == width_ && y0 - y1 == height_;
+  const auto x0 = static_cast<GLint>(visible.on_screen.corner.x);
+  const auto x1 = static_cast<GLint>(visible.on_screen.corner.x + visible.on_screen.size.x);
+  const auto y0 = framebuffer_size.y - static_cast<GLint>(visible.on_screen.corner.y);
+  const auto y1 = framebuffer_size.y - static_cast<GLint>(visible.on_screen.corner.y + visible.on_screen.size.y);
+  const Vec2 scale = placement.size / Vec2(width_, height_);
+  const bool shows_pixels = scale == Vec2(1) || std::min(scale.x, scale.y) >= kMinPixelScale;
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   if (clip) {
@@ -140,7 +163,8 @@ void ImageView::draw(GLuint framebuffer, Vec2i framebuffer_size, const Placement
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.Scissor(corner.x, framebuffer_size.y - end.y, end.x - corner.x, end.y - corner.y);
   }
-  gl_.BlitFramebuffer(0, 0, width_, height_, x0, y0, x1, y1, GL_COLOR_BUFFER_BIT, same_scale ? GL_NEAREST : GL_LINEAR);
+  gl_.BlitFramebuffer(visible.from.x, visible.from.y, visible.to.x, visible.to.y, x0, y0, x1, y1, GL_COLOR_BUFFER_BIT,
+                      shows_pixels ? GL_NEAREST : GL_LINEAR);
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }

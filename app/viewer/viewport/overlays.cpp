@@ -85,7 +85,7 @@ void draw_false_color_scale(const AppState& state, ImDrawList* draw) {
     const float stops = range.x + (range.y - range.x) * static_cast<float>(i) / 4;
     labels[i] = formatted("%.2g", static_cast<double>(std::exp2(stops)));
   }
-  draw_scale_bar(state.ui, draw, state.viewport.image, viridis, labels, "luminance, cd/m\u00b2");
+  draw_scale_bar(state.ui, draw, state.viewport.visible_image(), viridis, labels, "luminance, cd/m\u00b2");
 }
 
 std::string aov_title(const AppState& state) {
@@ -115,8 +115,9 @@ void draw_stored_points(const AppState& state, ImDrawList* draw) {
       visible->stored == 0
           ? integrator_label(d.method.integrator) + " stores no photons or virtual lights"
           : formatted("%zu points stored, %zu visible from the camera", visible->stored, visible->points.size());
-  const float bottom = image.corner.y + image.size.y - em * 0.6f;
-  draw_label(draw, Vec2(image.corner.x + em * 0.6f, bottom - label_size(text).y), text);
+  const Placement visible_part = state.viewport.visible_image();
+  const float bottom = visible_part.corner.y + visible_part.size.y - em * 0.6f;
+  draw_label(draw, Vec2(visible_part.corner.x + em * 0.6f, bottom - label_size(text).y), text);
 }
 
 // Says at the lower edge of the image that it is dark, and offers remedies.
@@ -145,7 +146,7 @@ void draw_darkness(AppState& state) {
 void draw_incompatibility(const AppState& state, ImDrawList* draw) {
   const std::string text = state.incompatibility();
   if (text.empty() || state.shows_aov()) return;
-  const Placement& image = state.viewport.image;
+  const Placement image = state.viewport.visible_image();
   const float em = ImGui::GetFontSize();
   const float width = std::min(em * 26, state.viewport.region.size.x - 2 * em);
   const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
@@ -185,7 +186,7 @@ void draw_viewport_overlays(AppState& state) {
     draw_darkness(state);
   }
   if (!viewport.aov_name.empty())
-    draw_label(draw, viewport.image.corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
+    draw_label(draw, viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
   draw->PopClipRect();
 }
 

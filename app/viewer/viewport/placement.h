@@ -14,6 +14,12 @@ struct Placement {
   }
 };
 
+// The part that two rectangles share; empty if there is none.
+inline Placement intersection(const Placement& a, const Placement& b) {
+  const Vec2 corner = glm::max(a.corner, b.corner);
+  return {corner, glm::max(glm::min(a.corner + a.size, b.corner + b.size) - corner, Vec2(0))};
+}
+
 // The largest rectangle in the centre of `region` that has the aspect ratio of an image of this size, in whole pixels.
 inline Placement fit_inside(const Placement& region, Vec2i image_size) {
   const Vec2 size = glm::max(Vec2(image_size), Vec2(1));

@@ -21,6 +21,7 @@ namespace {
 constexpr float kClickTolerance = 4;           // pixels that the pointer may move during a click
 constexpr double kScrollGestureSeconds = 0.6;  // a longer pause starts a new step of undo
 constexpr float kFlySpeedFactor = 1.25f;       // per notch of the wheel
+constexpr float kZoomFactor = 1.25f;           // of the image, per notch of the wheel
 constexpr float kMaxFlySeconds = 0.2f;         // longest time step, so that a slow frame causes no jump
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -70,6 +71,7 @@ void ViewportController::handle_input(AppState& state, float seconds) {
     if (drag_ == Drag::fly) fly(state, seconds);
     end_drag(state);
   }
+  if (input.wheel != 0 && hovered && input.control()) return zoom_image(state);
   if (input.wheel != 0 && (hovered || drag_ == Drag::fly)) scroll(state);
 }
 
@@ -77,7 +79,8 @@ void ViewportController::begin_drag(AppState& state) {
   const Input& input = state.ui.input;
   const auto pressed = [&](Button b) { return input.pressed[static_cast<size_t>(b)]; };
   if (pressed(Button::left)) drag_ = input.shift() ? Drag::pan : Drag::orbit;
-  if (pressed(Button::middle)) drag_ = Drag::pan;
+  // A fitted image has nothing beyond the viewport, so the camera moves.
+  if (pressed(Button::middle)) drag_ = state.viewport.zoom.is_fitted() ? Drag::pan : Drag::move_image;
   if (pressed(Button::right)) drag_ = Drag::fly;
   if (drag_ == Drag::none) return;
   state.editor->end_gesture();
@@ -95,6 +98,7 @@ void ViewportController::continue_drag(AppState& state) {
   const Camera& camera = state.document().camera;
   CameraController& controller = state.viewport.camera_controller;
   const float height = state.viewport.image.size.y;
+  if (drag_ == Drag::move_image) state.viewport.zoom = moved(state, movement);
   if (drag_ == Drag::orbit) state.edit_camera(controller.orbit(camera, movement), "Orbit", "camera.orbit");
   if (drag_ == Drag::pan) state.edit_camera(controller.pan(camera, movement, height), "Pan", "camera.pan");
   if (drag_ == Drag::fly) state.edit_camera(controller.look_around(camera, movement), "Fly", "camera.fly");
@@ -148,6 +152,11 @@ void ViewportController::scroll(AppState& state) {
   state.edit_camera(controller.dolly(state.document().camera, target, notches), "Dolly", "camera.dolly");
 }
 
+void ViewportController::zoom_image(AppState& state) {
+  const Input& input = state.ui.input;
+  state.viewport.zoom = scaled(state, std::pow(kZoomFactor, input.wheel), input.mouse);
+}
+
 namespace {
 
 // Opens the panel of the selected object, unless the Scene panel is open, which shows all objects.
@@ -179,7 +188,7 @@ void select_at(AppState& state, Vec2 position) {
     return;
   }
   state.select(picked->node, picked->material);
-  show_panel_of_selection(state);
+  if (state.selection.node >= 0) show_panel_of_selection(state);
 }
 
 void frame_scene(AppState& state) {

@@ -16,7 +16,7 @@ class ViewportController {
 
  private:
   using Clock = std::chrono::steady_clock;
-  enum class Drag { none, orbit, pan, fly };
+  enum class Drag { none, orbit, pan, fly, move_image };
 
   void begin_drag(AppState& state);
   void continue_drag(AppState& state);
@@ -24,6 +24,7 @@ class ViewportController {
   void end_drag(AppState& state);
   void click(AppState& state, Vec2 position);
   void scroll(AppState& state);
+  void zoom_image(AppState& state);
 
   Drag drag_ = Drag::none;
   Vec2 drag_start_{0};

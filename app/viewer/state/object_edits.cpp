@@ -1,0 +1,210 @@
+#include "viewer/state/object_edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "light/light.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "scene/pose.h"
+#include "scene/rotation.h"
+#include "scene/structural_edit.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/value_text.h"
+
+namespace etendue::viewer {
+namespace {
+
+using scene::EditKind;
+using scene::StructuralEdit;
+
+constexpr float kShapeSize = 0.15f;       // half the size of a new shape, relative to the radius of the scene
+constexpr float kLightHeight = 0.4f;      // of a new light above the centre of orbits, relative to the same
+constexpr float kDuplicateOffset = 0.1f;  // of a copy from the original, relative to the same
+
+const scene::Scene& scene_of(const AppState& state) { return *state.document().scene; }
+
+float scene_radius(const AppState& state) {
+  const auto compiled = state.session->scene();
+  const float radius = compiled && !compiled->bounds().empty() ? compiled->bounds().radius() : 1.0f;
+  return radius > 0 ? radius : 1.0f;
+}
+
+// "sphere", "sphere 2", ...: the first name that no node has.
+std::string free_name(const scene::Scene& scene, const std::string& base) {
+  for (size_t i = 1;; ++i) {
+    const std::string name = i == 1 ? base : base + " " + std::to_string(i);
+    if (std::ranges::find(scene.nodes, name, &scene::Node::name) == scene.nodes.end()) return name;
+  }
+}
+
+std::string selected_name(const AppState& state) {
+  const auto index = static_cast<size_t>(state.selection.node);
+  return object_name(scene_of(state).nodes[index].name, "node", index);
+}
+
+// The document after the edit; an error becomes a message.
+std::optional<render::Document> edited(AppState& state, const StructuralEdit& edit) {
+  auto changed = render::with_structural_edit(state.document(), edit);
+  if (changed) return std::move(*changed);
+  state.notices.add_error(changed.error().message);
+  return std::nullopt;
+}
+
+void assign(render::Document& document, const std::string& name, double value) {
+  if (const auto parameter = document_parameter(document, name))
+    parameter->assign(document, std::clamp(value, parameter->info.min, parameter->info.max));
+}
+
+// Applies an edit that adds an object, and selects it.
+void add_object(AppState& state, const StructuralEdit& edit, render::Document changed) {
+  const int node = static_cast<int>(scene_of(state).nodes.size());
+  state.edit(std::move(changed), "Add " + edit.name);
+  state.select(node, -1);
+}
+
+// Illuminates the centre of orbits with pi lux at perpendicular incidence.
+void set_intensity_of_new_light(render::Document& document, float distance) {
+  const size_t index = document.scene->lights.size() - 1;
+  const LightClass light_class = document.scene->lights[index].info().description.light_class;
+  const std::string name = "light." + std::to_string(index) + ".intensity";
+  if (light_class == LightClass::delta_position) assign(document, name, static_cast<double>(kPi * distance * distance));
+  if (light_class == LightClass::delta_direction) assign(document, name, static_cast<double>(kPi));
+}
+
+}  // namespace
+
+void add_light(AppState& state, const std::string& type) {
+  if (!state.has_document()) return;
+  const float height = kLightHeight * scene_radius(state);
+  const float half = std::sqrt(0.5f);
+  StructuralEdit edit{.kind = EditKind::add_light, .type = type, .name = free_name(scene_of(state), type + " light")};
+  // The light emits downwards: its -z axis points along -y.
+  edit.transform.rotation = Vec4(-half, 0, 0, half);
+  edit.transform.translation = state.viewport.camera_controller.pivot() + Vec3(0, height, 0);
+  auto changed = edited(state, edit);
+  if (!changed) return;
+  set_intensity_of_new_light(*changed, height);
+  add_object(state, edit, std::move(*changed));
+}
+
+void add_shape(AppState& state, const std::string& type) {
+  if (!state.has_document()) return;
+  const float size = kShapeSize * scene_radius(state);
+  StructuralEdit edit{.kind = EditKind::add_shape, .type = type, .name = free_name(scene_of(state), type)};
+  const bool is_flat = type == "plane" || type == "disk";
+  // A shape stands on the surface at the centre of orbits; flat ones are slightly above it.
+  edit.transform.translation = state.viewport.camera_controller.pivot() + Vec3(0, is_flat ? 0.02f * size : size, 0);
+  edit.transform.scale = Vec3(size);
+  if (auto changed = edited(state, edit)) add_object(state, edit, std::move(*changed));
+}
+
+void add_camera(AppState& state) {
+  if (!state.has_document()) return;
+  const Camera& view = state.document().camera;
+  const auto transform = scene::decompose({.matrix = view.to_world});
+  if (!transform) return;
+  StructuralEdit edit{.kind = EditKind::add_camera, .name = free_name(scene_of(state), "camera")};
+  edit.transform = *transform;
+  edit.transform.scale = Vec3(1);
+  edit.camera = view;
+  if (auto changed = edited(state, edit)) add_object(state, edit, std::move(*changed));
+}
+
+void duplicate_selected(AppState& state) {
+  if (state.selection.node < 0) return;
+  const auto& scene = scene_of(state);
+  const auto& original = scene.nodes[static_cast<size_t>(state.selection.node)];
+  const std::string base = object_name(original.name, "node", static_cast<size_t>(state.selection.node));
+  const StructuralEdit edit{.kind = EditKind::duplicate, .node = state.selection.node, .name = free_name(scene, base)};
+  auto changed = edited(state, edit);
+  if (!changed) return;
+  const std::string parameter = "node." + std::to_string(scene.nodes.size()) + ".translation.x";
+  if (const auto x = document_parameter(*changed, parameter))
+    assign(*changed, parameter,
+           std::get<double>(x->info.default_value) + static_cast<double>(kDuplicateOffset * scene_radius(state)));
+  const int node = static_cast<int>(scene.nodes.size());
+  state.edit(std::move(*changed), "Duplicate " + base);
+  state.select(node, -1);
+}
+
+void delete_selected(AppState& state) {
+  const int node = state.selection.node;
+  if (node < 0) return;
+  const bool is_view = scene::node_of_camera(scene_of(state), state.document().camera) == node;
+  const std::string name = selected_name(state);
+  auto changed = edited(state, {.kind = EditKind::remove, .node = node});
+  if (!changed) return;
+  state.edit(std::move(*changed), "Delete " + name);
+  drop_stale_selection(state);
+  state.notices.add_message(is_view ? "Deleted the camera " + name + ". The view stays." : "Deleted " + name);
+}
+
+void rename_selected(AppState& state, const std::string& name) {
+  if (state.selection.node < 0) return;
+  const std::string old = selected_name(state);
+  if (auto changed = edited(state, {.kind = EditKind::rename, .node = state.selection.node, .name = name}))
+    state.edit(std::move(*changed), "Rename " + old);
+}
+
+void toggle_visibility_of_selected(AppState& state) {
+  if (state.selection.node < 0) return;
+  const bool visible = scene_of(state).nodes[static_cast<size_t>(state.selection.node)].visible;
+  state.set_parameter("node." + std::to_string(state.selection.node) + ".visible", !visible);
+}
+
+std::vector<int> light_nodes(const scene::Scene& scene) {
+  const std::vector<bool> reached = scene::reached(scene);
+  std::vector<int> nodes;
+  for (size_t i = 0; i < scene.nodes.size(); ++i)
+    if (reached[i] && scene.nodes[i].light >= 0) nodes.push_back(static_cast<int>(i));
+  return nodes;
+}
+
+bool is_light_selected(const AppState& state) {
+  return state.has_document() && state.selection.node >= 0 &&
+         scene_of(state).nodes[static_cast<size_t>(state.selection.node)].light >= 0;
+}
+
+bool is_solo(const AppState& state) {
+  if (!is_light_selected(state)) return false;
+  const auto& scene = scene_of(state);
+  return std::ranges::none_of(light_nodes(scene), [&](int node) {
+    return node != state.selection.node && scene.nodes[static_cast<size_t>(node)].visible;
+  });
+}
+
+void solo_selected_light(AppState& state) {
+  if (!is_light_selected(state)) return;
+  const bool shows_others = is_solo(state);
+  render::Document changed = state.document();
+  auto scene = std::make_shared<scene::Scene>(*changed.scene);
+  for (const int node : light_nodes(*scene))
+    scene->nodes[static_cast<size_t>(node)].visible = shows_others || node == state.selection.node;
+  changed.scene = std::move(scene);
+  state.edit(std::move(changed), shows_others ? "Show all lights" : "Solo " + selected_name(state));
+}
+
+void drop_stale_selection(AppState& state) {
+  Selection& selection = state.selection;
+  if (!state.has_document()) {
+    selection = {};
+    return;
+  }
+  const auto& scene = scene_of(state);
+  const auto is_stale = [](int index, size_t count) { return index >= 0 && static_cast<size_t>(index) >= count; };
+  if (is_stale(selection.node, scene.nodes.size()) ||
+      (selection.node >= 0 && !scene::reached(scene)[static_cast<size_t>(selection.node)]))
+    selection.node = -1;
+  if (is_stale(selection.material, scene.materials.size())) selection.material = -1;
+  const auto shows_light = [&](int node) { return scene.nodes[static_cast<size_t>(node)].light == selection.light; };
+  if (is_stale(selection.light, scene.lights.size()) ||
+      (selection.light >= 0 && std::ranges::none_of(light_nodes(scene), shows_light)))
+    selection.light = -1;
+}
+
+}  // namespace etendue::viewer

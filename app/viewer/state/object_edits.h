@@ -1,0 +1,35 @@
+// Edits of the objects of the scene: add, duplicate, delete, rename, hide and show. Each is one step of undo.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/forward.h"
+
+namespace etendue::viewer {
+
+struct AppState;
+
+// Add an object near the centre of orbits, in a size that suits the scene, and select it. `type` is a type of light, or
+// a shape of scene::shape_types().
+void add_light(AppState& state, const std::string& type);
+void add_shape(AppState& state, const std::string& type);
+// Adds a camera with position and lens of the current view.
+void add_camera(AppState& state);
+
+// These do nothing without a selected node.
+void duplicate_selected(AppState& state);
+void delete_selected(AppState& state);
+void rename_selected(AppState& state, const std::string& name);
+void toggle_visibility_of_selected(AppState& state);
+
+// The nodes of the scene that have a light and that were not removed.
+std::vector<int> light_nodes(const scene::Scene& scene);
+// Hides all lights except the selected one, or shows all if the others are hidden already.
+void solo_selected_light(AppState& state);
+bool is_light_selected(const AppState& state);
+bool is_solo(const AppState& state);
+
+// Clears the parts of the selection that the document does not have, for instance after undo.
+void drop_stale_selection(AppState& state);
+
+}  // namespace etendue::viewer

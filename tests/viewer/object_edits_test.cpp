@@ -1,0 +1,76 @@
+// Edits that add, duplicate, delete, rename and hide objects.
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+json wait(int samples) { return {{"do", "wait"}, {"spp", samples}}; }
+
+bool same_image(const image::LayeredImage& a, const image::LayeredImage& b) {
+  const auto *x = a.find(""), *y = b.find("");
+  return x && y && a.width == b.width && a.height == b.height && x->pixels == y->pixels;
+}
+
+class ObjectEdits : public Viewer {
+ protected:
+  // Performs the steps on the Cornell box, saves a snapshot, and opens it again.
+  void expect_same_after_reopening(const json& steps) {
+    const auto saves = [&](const std::string& name) {
+      return json::array({wait(4), file_step("image", path(name + ".exr")), file_step("state", path(name + ".json"))});
+    };
+    ASSERT_EQ(run(joined(joined(small(), steps), saves("live"))), 0);
+    ASSERT_EQ(run(saves("snapshot"), path("live.exr")), 0);
+    EXPECT_TRUE(same_image(saved_image("live.exr"), saved_image("snapshot.exr")));
+    EXPECT_EQ(state("live.json")["parameters"], state("snapshot.json")["parameters"]);
+  }
+};
+
+TEST_F(ObjectEdits, AddedObjectsAreRestored) {
+  expect_same_after_reopening(json::array({click("add.sphere"), click("add.light.point"), click("add.light.spot"),
+                                           click("add.camera"), click("add.disk"), click("object.duplicate")}));
+}
+
+TEST_F(ObjectEdits, EditsOfAddedObjectsAreRestored) {
+  expect_same_after_reopening(
+      json::array({click("add.box"), click("add.sphere"), click("object.delete"), click("add.light.point"),
+                   click("object.hide"), click("object.hide"), click("object.duplicate"), click("light.solo")}));
+}
+
+TEST_F(ObjectEdits, UndoAndRedoOfEachEdit) {
+  const auto depth = [&](const char* name) { return state(name)["undo_depth"].get<int>(); };
+  const std::vector<json> edits{click("add.sphere"),        click("object.duplicate"), click("object.hide"),
+                                click("object.delete"),     click("add.light.point"),  click("light.solo"),
+                                set("object.name", "lamp"), click("add.camera"),       click("add.light.directional")};
+  json steps = small();
+  for (size_t i = 0; i < edits.size(); ++i) {
+    const std::string n = std::to_string(i);
+    steps.push_back(edits[i]);
+    steps.push_back(file_step("state", path("done" + n + ".json")));
+  }
+  for (size_t i = edits.size(); i-- > 0;) {
+    steps.push_back(file_step("state", path("undo" + std::to_string(i) + ".json")));
+    steps.push_back(key("ctrl+z"));
+  }
+  for (size_t i = 0; i < edits.size(); ++i) {
+    steps.push_back(key("ctrl+shift+z"));
+    steps.push_back(file_step("state", path("redo" + std::to_string(i) + ".json")));
+  }
+  ASSERT_EQ(run(steps), 0);
+  for (size_t i = 0; i < edits.size(); ++i) {
+    const std::string n = std::to_string(i) + ".json";
+    EXPECT_EQ(state("done" + n)["parameters"], state("undo" + n)["parameters"]) << i;
+    EXPECT_EQ(state("done" + n)["parameters"], state("redo" + n)["parameters"]) << i;
+    EXPECT_EQ(depth(("done" + n).c_str()), depth(("redo" + n).c_str()));
+  }
+}
+
+TEST_F(ObjectEdits, DeletedCameraKeepsTheView) {
+  ASSERT_EQ(run(json::array({wait(1), click("add.camera"), file_step("state", path("a.json")), click("object.delete"),
+                             file_step("state", path("b.json"))})),
+            0);
+  EXPECT_EQ(state("a.json")["parameters"]["camera.eye.x"], state("b.json")["parameters"]["camera.eye.x"]);
+  EXPECT_EQ(state("b.json")["selection"]["node"], -1);
+}
+
+}  // namespace
+}  // namespace etendue
