@@ -39,6 +39,45 @@ void add_adding_actions(ActionList& actions) {
                .section = "add"});
 }
 
+void add_gizmo(ActionList& actions, GizmoMode mode, const char* name, const char* label, const char* tooltip,
+               const char* shortcut) {
+  actions.add({.name = name,
+               .menu = "Edit",
+               .label = label,
+               .tooltip = tooltip,
+               .shortcut = shortcut,
+               .run = [mode](AppState& state) { toggle_gizmo(state, mode); },
+               .enabled = has_document,
+               .checked = [mode](const AppState& state) { return state.viewport.gizmo.mode == mode; },
+               .section = "gizmo"});
+}
+
+void add_gizmo_actions(ActionList& actions) {
+  add_gizmo(actions, GizmoMode::move, "gizmo.move", "Move",
+            "Shows handles that move the selected object along axes and in planes. Ctrl snaps", "g");
+  add_gizmo(actions, GizmoMode::rotate, "gizmo.rotate", "Rotate",
+            "Shows rings that rotate the selected object about its origin. Ctrl snaps to 15 degrees", "t");
+  add_gizmo(actions, GizmoMode::scale, "gizmo.scale", "Scale",
+            "Shows handles that scale the selected object along its own axes. Ctrl snaps to tenths", "s");
+  actions.add({.name = "gizmo.local",
+               .menu = "Edit",
+               .label = "Local axes",
+               .tooltip = "Handles follow the axes of the object rather than those of the world",
+               .shortcut = "shift+g",
+               .run = [](AppState& state) { state.viewport.gizmo.local = !state.viewport.gizmo.local; },
+               .enabled = has_document,
+               .checked = [](const AppState& state) { return state.viewport.gizmo.local; },
+               .section = "gizmo"});
+  actions.add({.name = "view.icons",
+               .menu = "View",
+               .label = "Show lights and cameras",
+               .tooltip = "Draws an icon at each light and camera. A click on it selects the object",
+               .run = [](AppState& state) { state.viewport.show_icons = !state.viewport.show_icons; },
+               .enabled = has_document,
+               .checked = [](const AppState& state) { return state.viewport.show_icons; },
+               .section = "overlays"});
+}
+
 }  // namespace
 
 void add_object_actions(ActionList& actions) {
@@ -75,6 +114,7 @@ void add_object_actions(ActionList& actions) {
                .enabled = is_light_selected,
                .checked = is_solo,
                .section = "object"});
+  add_gizmo_actions(actions);
 }
 
 }  // namespace etendue::viewer

@@ -74,6 +74,11 @@ void name_field(AppState& state, const scene::Node& node) {
 void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
   name_field(state, node);
+  for (const char* action : {"gizmo.move", "gizmo.rotate", "gizmo.scale", "gizmo.local"}) {
+    action_button(state, action);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
   section_widgets(state, "node." + std::to_string(index));
   if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");

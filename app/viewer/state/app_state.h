@@ -20,6 +20,7 @@
 #include "viewer/state/settings.h"
 #include "viewer/tasks/task.h"
 #include "viewer/tools/camera_controller.h"
+#include "viewer/tools/gizmo.h"
 #include "viewer/viewer.h"
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/first_view.h"
@@ -94,6 +95,8 @@ struct ViewportState {
   std::string environment;  // the document's, as `first_view` knows it
   Playback playback;
   std::optional<ClickTool> click_tool;
+  Gizmo gizmo;
+  bool show_icons = true;  // of lights and cameras
 };
 
 struct InterfaceState {

@@ -17,6 +17,7 @@
 #include "viewer/viewport/comparison_overlay.h"
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/image_view.h"
+#include "viewer/viewport/object_icons.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/reliability_overlay.h"
 #include "viewer/viewport/selection_outline.h"
@@ -172,6 +173,7 @@ void draw_viewport_overlays(AppState& state) {
   draw->PushClipRect({region.corner.x, region.corner.y},
                      {region.corner.x + region.size.x, region.corner.y + region.size.y});
   if (state.interface.visible) draw_selection(state, draw);
+  if (state.interface.visible && viewport.show_icons) draw_object_icons(state, *draw);
   if (viewport.show_reliability)
     if (const auto reliability = state.session->status().reliability)
       draw_reliability_overlay(state, *reliability, draw);
@@ -185,6 +187,7 @@ void draw_viewport_overlays(AppState& state) {
     draw_incompatibility(state, draw);
     draw_darkness(state);
   }
+  if (state.interface.visible) viewport.gizmo.draw(state, *draw);
   if (!viewport.aov_name.empty())
     draw_label(draw, viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
   draw->PopClipRect();

@@ -12,6 +12,7 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/object_icons.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/widgets/value_text.h"
 
@@ -65,7 +66,8 @@ void ViewportController::handle_input(AppState& state, float seconds) {
   const Input& input = state.ui.input;
   const bool hovered = !ImGui::GetIO().WantCaptureMouse && state.viewport.region.contains(input.mouse);
   const bool moves_divider = drag_ == Drag::none && divider_.handle_input(state, hovered);
-  if (drag_ == Drag::none && hovered && !moves_divider) begin_drag(state);
+  const bool moves_object = drag_ == Drag::none && !moves_divider && state.viewport.gizmo.handle_input(state, hovered);
+  if (drag_ == Drag::none && hovered && !moves_divider && !moves_object) begin_drag(state);
   if (drag_ != Drag::none) {
     continue_drag(state);
     if (drag_ == Drag::fly) fly(state, seconds);
@@ -132,7 +134,7 @@ void ViewportController::end_drag(AppState& state) {
 }
 
 void ViewportController::click(AppState& state, Vec2 position) {
-  if (use_tool(state, position) || use_panel(state, position)) return;
+  if (use_tool(state, position) || use_panel(state, position) || select_icon_at(state, position)) return;
   const bool is_double = seconds_since(click_time_) < static_cast<double>(ImGui::GetIO().MouseDoubleClickTime) &&
                          glm::length(position - click_position_) <= kClickTolerance;
   click_time_ = is_double ? Clock::time_point{} : Clock::now();

@@ -1,0 +1,101 @@
+#include "viewer/viewport/object_icons.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <vector>
+
+#include "camera/segment_projection.h"
+#include "render/document.h"
+#include "scene/pose.h"
+#include "scene/structural_edit.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr float kIconRadius = 8;    // pixels at scale 1
+constexpr size_t kMostIcons = 500;  // more would hide the image
+constexpr ImU32 kIconColor = IM_COL32(255, 225, 120, 255);
+constexpr ImU32 kCameraColor = IM_COL32(190, 215, 255, 255);
+constexpr ImU32 kIconBackground = IM_COL32(0, 0, 0, 160);
+
+struct ObjectIcon {
+  int node = -1;
+  Vec2 position{0};
+  bool is_light = false;
+};
+
+std::vector<ObjectIcon> icons_of(const AppState& state) {
+  const render::Document& d = state.document();
+  const scene::Scene& scene = *d.scene;
+  std::vector<ObjectIcon> icons;
+  std::vector<int> nodes;
+  const std::vector<bool> reached = scene::reached(scene);
+  for (size_t i = 0; i < scene.nodes.size() && nodes.size() < kMostIcons; ++i)
+    if (reached[i] && (scene.nodes[i].light >= 0 || scene.nodes[i].camera >= 0)) nodes.push_back(static_cast<int>(i));
+  if (nodes.empty()) return icons;
+  const std::vector<Mat4> world = scene::world_matrices(scene);
+  const Placement& image = state.viewport.image;
+  for (const int node : nodes) {
+    const Vec3 position(world[static_cast<size_t>(node)][3]);
+    // The camera of the view is at its own position.
+    if (glm::length(position - Vec3(d.camera.to_world[3])) == 0) continue;
+    const auto ends = project_segment(d.camera, Vec2i(image.size), position, position);
+    if (!ends) continue;
+    icons.push_back({node, image.corner + (*ends)[0], scene.nodes[static_cast<size_t>(node)].light >= 0});
+  }
+  return icons;
+}
+
+// A disk with rays.
+void draw_light_icon(ImDrawList& draw, Vec2 at, float r, ImU32 color) {
+  draw.AddCircleFilled({at.x, at.y}, 0.38f * r, color);
+  for (int i = 0; i < 8; ++i) {
+    const float phi = kPi / 4 * static_cast<float>(i);
+    const Vec2 direction(std::cos(phi), std::sin(phi));
+    const Vec2 from = at + direction * (0.52f * r), to = at + direction * (0.82f * r);
+    draw.AddLine({from.x, from.y}, {to.x, to.y}, color, 1.5f);
+  }
+}
+
+// A box with the cone of a lens.
+void draw_camera_icon(ImDrawList& draw, Vec2 at, float r, ImU32 color) {
+  draw.AddRectFilled({at.x - 0.65f * r, at.y - 0.4f * r}, {at.x + 0.2f * r, at.y + 0.4f * r}, color, 2);
+  draw.AddTriangleFilled({at.x + 0.25f * r, at.y}, {at.x + 0.7f * r, at.y - 0.4f * r},
+                         {at.x + 0.7f * r, at.y + 0.4f * r}, color);
+}
+
+}  // namespace
+
+void draw_object_icons(AppState& state, ImDrawList& draw) {
+  const float r = kIconRadius * state.ui.scale;
+  for (const ObjectIcon& icon : icons_of(state)) {
+    if (!state.viewport.region.contains(icon.position)) continue;
+    state.ui.items.add("icon." + std::to_string(icon.node), Placement{icon.position - r, Vec2(2 * r)});
+    const bool visible = state.document().scene->nodes[static_cast<size_t>(icon.node)].visible;
+    const ImU32 color = visible ? (icon.is_light ? kIconColor : kCameraColor) : IM_COL32(150, 150, 150, 255);
+    draw.AddCircleFilled({icon.position.x, icon.position.y}, r * 1.15f, kIconBackground);
+    if (state.selection.node == icon.node)
+      draw.AddCircle({icon.position.x, icon.position.y}, r * 1.3f, IM_COL32(120, 190, 240, 255), 0, 2);
+    (icon.is_light ? draw_light_icon : draw_camera_icon)(draw, icon.position, r, color);
+  }
+}
+
+bool select_icon_at(AppState& state, Vec2 position) {
+  if (!state.interface.visible || !state.viewport.show_icons) return false;
+  const float r = kIconRadius * state.ui.scale;
+  for (const ObjectIcon& icon : icons_of(state)) {
+    if (glm::length(icon.position - position) > r) continue;
+    state.select(icon.node, -1);
+    const Panel* open = state.panels.open_tab();
+    const bool shows_scene = open && std::string_view(open->info().name) == "tab.scene";
+    if (Panel* panel = state.panels.find("tab.light"); panel && icon.is_light && !shows_scene)
+      state.panels.open(*panel);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace etendue::viewer
