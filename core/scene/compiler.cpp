@@ -17,6 +17,8 @@ namespace {
 // Meshes with a single instance are part of the top level, up to this total number of triangles: that many can be
 // rebuilt within a frame.
 constexpr size_t kTopLevelBudget = 200'000;
+// After an edit that moves objects. Larger meshes become instances, so that further edits rebuild few triangles.
+constexpr size_t kMovingTopLevelBudget = 10'000;
 
 }  // namespace
 
@@ -166,6 +168,14 @@ class Compiler {
     return accels;
   }
 
+  // Whether an edit moved objects. The next edit probably moves them again.
+  bool moves_objects() const {
+    if (!previous_) return false;
+    const Scene& old = previous_->description();
+    if (scene_->time != old.time || scene_->nodes.size() != old.nodes.size()) return false;
+    return !std::ranges::equal(scene_->nodes, old.nodes, {}, &Node::transform, &Node::transform);
+  }
+
   void build(const std::vector<Placed>& placed) {
     std::unordered_map<const Mesh*, int> uses;
     for (const auto& p : placed) ++uses[p.mesh.get()];
@@ -174,7 +184,7 @@ class Compiler {
 
     auto instances = std::make_shared<std::vector<InstanceData>>();
     std::vector<AccelInstance> accel_instances;
-    size_t budget = kTopLevelBudget;
+    size_t budget = moves_objects() ? kMovingTopLevelBudget : kTopLevelBudget;
     for (const auto& p : placed) {
       if (p.round) {
         add_round(p, *instances, accel_instances);
