@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/number_text.h"
 #include "image/image.h"
+#include "metrics/drawing_layout.h"
 
 namespace etendue::experiments {
 namespace {
