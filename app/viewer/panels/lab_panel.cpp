@@ -245,11 +245,11 @@ class LabPanel final : public Panel {
 
   static std::vector<std::string> curve_names(const Chart& chart) {
     std::vector<std::string> names;
-    std::visit(
-        [&](const auto& c) {
-          for (const auto& curve : c.curves) names.push_back(curve.name);
-        },
-        chart);
+    const auto add = [&](const auto& curves) {
+      for (const auto& curve : curves) names.push_back(curve.name);
+    };
+    if (const auto* function = std::get_if<metrics::FunctionChart>(&chart)) add(function->curves);
+    if (const auto* error = std::get_if<experiments::ErrorChart>(&chart)) add(error->curves);
     return names;
   }
 
