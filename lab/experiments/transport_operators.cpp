@@ -183,7 +183,7 @@ Vector camera_importance(const TransportMatrices& t, const std::vector<int>& vis
 struct TransportOperators {
   static constexpr ExperimentDescription kDescription{
       .name = "transport-operators",
-      .label = "Operators of light transport",
+      .label = "Transport operators",
       .summary = "Propagation and scattering as matrices, four formulations of a measurement, importance, relighting",
       .source = "[Lang, eq. 5.40-5.61, 5.122-5.150]"};
 

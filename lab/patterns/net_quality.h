@@ -6,11 +6,10 @@
 
 namespace etendue::patterns {
 
-// Whether every elementary interval of b^k x b^l equal cells, i.e. all cells of a grid, contains the same number of
-// points. Points on a common side belong to the upper cell.
-bool fills_evenly(const PointSet& points, int columns, int rows);
-
 // The smallest t with which the set is a (t, m, 2)-net in this base, from 0 to m; none unless there are base^m points.
 std::optional<int> net_quality(const PointSet& points, int base);
+
+// The same for points of the unit cube of any dimension: a (t, m, s)-net. All points have the same number of coordinates.
+std::optional<int> net_quality(const std::vector<std::vector<double>>& points, int base);
 
 }  // namespace etendue::patterns

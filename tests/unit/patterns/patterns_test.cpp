@@ -13,7 +13,9 @@
 #include "patterns/periodogram.h"
 #include "patterns/sampler_points.h"
 #include "sampling/halton.h"
+#include "sampling/point_sets/niederreiter.h"
 #include "sampling/point_sets/zaremba.h"
+#include "sampling/sobol.h"
 
 namespace etendue::patterns {
 namespace {
@@ -140,6 +142,36 @@ TEST(NetQuality, IsThatOfKnownSets) {
   EXPECT_EQ(net_quality(diagonal, 2), 3);
   for (uint32_t i = 0; i < 27; ++i) base3.push_back({i / 27.0, HaltonSampler::radical_inverse(i, 3)});
   EXPECT_EQ(net_quality(base3, 3), 0);
+}
+
+// The first N = 2^m points of a digital sequence in the given number of dimensions, with i / N as a further coordinate: a
+// (t, m, s + 1)-net for every m if and only if the sequence is a (t, s)-sequence [Niederreiter 1992, sec. 4.3].
+std::vector<std::vector<double>> first_points(uint32_t (*coordinate)(uint32_t, uint32_t), int m, uint32_t dimensions) {
+  std::vector<std::vector<double>> points(1U << m);
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    for (uint32_t k = 0; k < dimensions; ++k) points[i].push_back(coordinate(i, k) * 0x1p-32);
+    points[i].push_back(static_cast<double>(i) / static_cast<double>(points.size()));
+  }
+  return points;
+}
+
+// t of both sequences in base 2 is at most the sum of the degrees of their polynomials minus one: 0, 0, 1, 3, 5 for 1 to 5
+// dimensions [Sobol' 1967; Niederreiter 1988], and is
+// reached; in 5 dimensions that needs more points.
+TEST(NetQuality, OfSequencesIsThePublishedOne) {
+  constexpr int kPublished[] = {0, 0, 0, 1, 3, 5};
+  for (const auto& coordinate : {NiederreiterSampler::point, SobolSampler::point})
+    for (uint32_t s = 1; s <= 5; ++s) {
+      int most = 0;
+      for (int m = 1; m <= 11; ++m) {
+        const int t = *net_quality(first_points(coordinate, m, s), 2);
+        EXPECT_LE(t, kPublished[s]) << s << " dimensions, m = " << m;
+        most = std::max(most, t);
+      }
+      if (s < 5) {
+        EXPECT_EQ(most, kPublished[s]) << s;
+      }
+    }
 }
 
 TEST(Distances, AreThoseOfKnownSets) {
