@@ -385,8 +385,9 @@ class Compiler {
         triangles.push_back(emissive_round(instance, material, i, round_lights));
         continue;
       }
+      const AreaLightTriangle* known = previous_emission(instance, i);
       for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
-        triangles.push_back(emissive(instance, material, i, t));
+        triangles.push_back(emissive(instance, material, i, t, known ? &known[t].radiance : nullptr));
       if (!instance.motion) continue;
       moving.resize(instances->size());
       moving[i] = {instance.mesh, instance.motion};
@@ -409,8 +410,21 @@ class Compiler {
     return {bounds.center() - half, bounds.center() + half};
   }
 
+  // The emissive triangles of the same instance in the previous scene, if it emits the same radiance: an edit that moves
+  // it does not change the means over its texture. Null if it may emit another one.
+  const AreaLightTriangle* previous_emission(const InstanceData& instance, uint32_t i) const {
+    if (!previous_ || previous_->materials_ != result_->materials_ || i >= previous_->instances_->size())
+      return nullptr;
+    const InstanceData& old = (*previous_->instances_)[i];
+    if (old.first_light == InstanceData::kNotALight || old.round || old.material != instance.material) return nullptr;
+    const Mesh &a = *instance.mesh, &b = *old.mesh;
+    if (a.triangles != b.triangles || a.uvs != b.uvs || a.colors != b.colors) return nullptr;
+    return &previous_->lights_->triangles()[old.first_light];
+  }
+
+  // `known_mean` is the mean of textured emission; null if it is to be computed.
   static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                    uint32_t t) {
+                                    uint32_t t, const Rgb* known_mean) {
     const Mesh& mesh = *instance.mesh;
     AreaLightTriangle e;
     e.instance = i;
@@ -420,14 +434,16 @@ class Compiler {
     e.moving = instance.motion != nullptr;
     e.cosine_exponent = instance.cosine_exponent;
     e.set_triangle(facet_of(instance, t, 0.5f));
-    if (material.emission) {
+    e.textured = static_cast<bool>(material.emission);
+    if (material.emission && known_mean) {
+      e.radiance = *known_mean;
+    } else if (material.emission) {
       // The mean over seven points of the triangle.
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
                                        {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
       for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
       e.radiance = sum / 7;
-      e.textured = true;
     }
     return e;
   }

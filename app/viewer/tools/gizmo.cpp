@@ -80,6 +80,60 @@ bool is_animated_node(const scene::Scene& scene, int node) {
 
 ImVec2 to_im(Vec2 p) { return {p.x, p.y}; }
 
+ImU32 color_of(const GizmoHandle& handle) {
+  return handle.kind == Kind::uniform ? kUniformColor : kAxisColors[static_cast<size_t>(handle.axis)];
+}
+
+// Draws handles. Lines have a dark border, so that they are visible over any image.
+class GizmoPainter {
+ public:
+  GizmoPainter(const GizmoView& view, ImDrawList& draw, float unit) : view_(view), draw_(draw), unit_(unit) {}
+
+  // A line that ends in a disk, or in a box.
+  void axis(const Vec3& from, const Vec3& tip, bool has_box, ImU32 color) const {
+    line(from, tip, kBorder, 5);
+    line(from, tip, color, 2.5f);
+    const auto end = view_.project(tip);
+    if (!end) return;
+    const float half = 5 * unit_;
+    if (has_box)
+      draw_.AddRectFilled({end->x - half, end->y - half}, {end->x + half, end->y + half}, color);
+    else
+      draw_.AddCircleFilled(to_im(*end), half, color);
+  }
+
+  void ring(const std::array<Vec3, kRingSegments + 1>& points, ImU32 color) const {
+    for (size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], kBorder, 4);
+    for (size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], color, 2);
+  }
+
+  void plane(const std::array<Vec3, 4>& corners, ImU32 color) const {
+    std::array<ImVec2, 4> points;
+    for (size_t i = 0; i < corners.size(); ++i) {
+      const auto p = view_.project(corners[i]);
+      if (!p) return;
+      points[i] = to_im(*p);
+    }
+    draw_.AddConvexPolyFilled(points.data(), 4, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150));
+  }
+
+  void centre(const Vec3& point, ImU32 color) const {
+    if (const auto p = view_.project(point)) draw_.AddCircleFilled(to_im(*p), 7 * unit_, color);
+  }
+
+ private:
+  static constexpr ImU32 kBorder = IM_COL32(0, 0, 0, 130);
+
+  void line(const Vec3& from, const Vec3& to, ImU32 color, float width) const {
+    const auto a = view_.project(from), b = view_.project(to);
+    if (a && b) draw_.AddLine(to_im(*a), to_im(*b), color, width * unit_);
+  }
+
+  GizmoView view_;
+  ImDrawList& draw_;
+  float unit_;
+};
+
 }  // namespace
 
 std::optional<Gizmo::Frame> Gizmo::frame_of(const AppState& state) const {
@@ -274,32 +328,39 @@ void Gizmo::apply(AppState& state, const Change& change) {
   readout_ = change.text;
 }
 
+void Gizmo::continue_drag(AppState& state) {
+  const Input& input = state.ui.input;
+  const bool is_stale = state.selection.node != drag_->node || !state.interface.visible;
+  if (!input.buttons[0] || is_stale) {
+    drag_.reset();
+    state.editor->end_gesture();
+    return;
+  }
+  if (input.mouse == last_position_) return;
+  last_position_ = input.mouse;
+  if (const auto change = change_at(state, input.mouse)) apply(state, *change);
+}
+
+void Gizmo::register_items(AppState& state, const Frame& frame) const {
+  const GizmoView view(state.document(), state.viewport.image);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 point = mode == GizmoMode::rotate ? ring(frame.origin, frame.axes[axis], frame.length)[kRingSegments / 8]
+                                                 : frame.origin + frame.axes[axis] * (0.8f * frame.length);
+    if (const auto at = view.project(point))
+      state.ui.items.add(std::string("gizmo.") + kAxisNames[static_cast<size_t>(axis)], Placement{*at - 1.0f, Vec2(2)});
+  }
+}
+
 bool Gizmo::handle_input(AppState& state, bool hovered) {
   const Input& input = state.ui.input;
   if (drag_) {
-    const bool is_stale = state.selection.node != drag_->node || !state.interface.visible;
-    if (!input.buttons[0] || is_stale) {
-      drag_.reset();
-      state.editor->end_gesture();
-      return true;
-    }
-    if (input.mouse != last_position_) {
-      last_position_ = input.mouse;
-      if (const auto change = change_at(state, input.mouse)) apply(state, *change);
-    }
+    continue_drag(state);
     return true;
   }
   hovered_.reset();
-  if (!state.interface.visible) return false;
-  const auto frame = frame_of(state);
+  const auto frame = state.interface.visible ? frame_of(state) : std::nullopt;
   if (!frame) return false;
-  const GizmoView view(state.document(), state.viewport.image);
-  for (int axis = 0; axis < 3; ++axis)
-    if (const auto end = view.project(mode == GizmoMode::rotate
-                                          ? ring(frame->origin, frame->axes[axis], frame->length)[kRingSegments / 8]
-                                          : frame->origin + frame->axes[axis] * (0.8f * frame->length)))
-      state.ui.items.add(std::string("gizmo.") + kAxisNames[static_cast<size_t>(axis)],
-                         Placement{*end - 1.0f, Vec2(2)});
+  register_items(state, *frame);
   if (!hovered) return false;
   hovered_ = handle_at(state, *frame, input.mouse);
   if (!hovered_ || !input.pressed[0]) return false;
@@ -313,53 +374,21 @@ bool Gizmo::handle_input(AppState& state, bool hovered) {
 void Gizmo::draw(const AppState& state, ImDrawList& draw) const {
   const auto frame = frame_of(state);
   if (!frame) return;
-  const GizmoView view(state.document(), state.viewport.image);
-  const float unit = state.ui.scale;
-  const auto color_of = [&](const GizmoHandle& handle) {
-    const auto active = drag_ ? std::optional(drag_->handle) : hovered_;
-    if (active == handle) return kActiveColor;
-    return handle.kind == Kind::uniform ? kUniformColor : kAxisColors[static_cast<size_t>(handle.axis)];
-  };
-  const auto line = [&](const Vec3& from, const Vec3& to, ImU32 color, float width) {
-    const auto a = view.project(from), b = view.project(to);
-    if (a && b) draw.AddLine(to_im(*a), to_im(*b), color, width * unit);
-  };
+  const GizmoPainter painter(GizmoView(state.document(), state.viewport.image), draw, state.ui.scale);
+  const auto active = drag_ ? std::optional(drag_->handle) : hovered_;
   for (const GizmoHandle& handle : handles()) {
     const Vec3 axis = frame->axes[handle.axis];
-    const Vec3 tip = frame->origin + axis * frame->length;
-    const ImU32 color = color_of(handle);
-    if (handle.kind == Kind::plane) {
-      const auto corners = plane_square(frame->origin, frame->axes, handle.axis, frame->length);
-      std::array<ImVec2, 4> points;
-      for (size_t i = 0; i < corners.size(); ++i) {
-        const auto p = view.project(corners[i]);
-        if (!p) return;
-        points[i] = to_im(*p);
-      }
-      draw.AddConvexPolyFilled(points.data(), 4, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150));
-      continue;
-    }
-    if (handle.kind == Kind::uniform) {
-      if (const auto p = view.project(frame->origin)) draw.AddCircleFilled(to_im(*p), 7 * unit, color);
-      continue;
-    }
-    if (mode == GizmoMode::rotate) {
-      const auto points = ring(frame->origin, axis, frame->length);
-      for (size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], IM_COL32(0, 0, 0, 130), 4);
-      for (size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], color, 2);
-      continue;
-    }
-    line(frame->origin, tip, IM_COL32(0, 0, 0, 130), 5);
-    line(frame->origin, tip, color, 2.5f);
-    const auto end = view.project(tip);
-    if (!end) continue;
-    const float half = 5 * unit;
-    if (mode == GizmoMode::scale)
-      draw.AddRectFilled({end->x - half, end->y - half}, {end->x + half, end->y + half}, color);
+    const ImU32 color = active == handle ? kActiveColor : color_of(handle);
+    if (handle.kind == Kind::plane)
+      painter.plane(plane_square(frame->origin, frame->axes, handle.axis, frame->length), color);
+    else if (handle.kind == Kind::uniform)
+      painter.centre(frame->origin, color);
+    else if (mode == GizmoMode::rotate)
+      painter.ring(ring(frame->origin, axis, frame->length), color);
     else
-      draw.AddCircleFilled(to_im(*end), half, color);
+      painter.axis(frame->origin, frame->origin + axis * frame->length, mode == GizmoMode::scale, color);
   }
-  if (drag_ && !readout_.empty()) draw_label(&draw, state.ui.input.mouse + Vec2(16, 16) * unit, readout_);
+  if (drag_ && !readout_.empty()) draw_label(&draw, state.ui.input.mouse + Vec2(16, 16) * state.ui.scale, readout_);
 }
 
 void toggle_gizmo(AppState& state, GizmoMode mode) {

@@ -71,6 +71,9 @@ class Gizmo {
   std::optional<Change> rotation(const AppState& state, Vec2 position) const;
   std::optional<Change> scaling(const AppState& state, Vec2 position) const;
   void apply(AppState& state, const Change& change);
+  void continue_drag(AppState& state);
+  // Names a point of each axis or ring for scripts.
+  void register_items(AppState& state, const Frame& frame) const;
 
   std::optional<Drag> drag_;
   std::optional<GizmoHandle> hovered_;

@@ -134,6 +134,52 @@ TEST(Compile, EditsRebuildOnlyWhatTheyAffect) {
   EXPECT_GE(transform->report().meshes_reused, 1);
 }
 
+TEST(Compile, MovedMeshesBecomeInstancesThatAreReused) {
+  auto d = test::cornell(16);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  const int node = test::add(*scene, test::sphere(0.3f, 80, false), test::diffuse(Rgb(0.5f)));
+  const auto moved = [&](const std::shared_ptr<const scene::Scene>& from, float x) {
+    auto result = std::make_shared<scene::Scene>(*from);
+    (*result->nodes[static_cast<size_t>(node)].transform.matrix)[3].x = x;
+    return result;
+  };
+  const auto first = scene::compile(scene, d.camera, nullptr);
+  EXPECT_EQ(first->report().meshes_built, 0);
+  const auto second_scene = moved(scene, 0.1f);
+  const auto second = scene::compile(second_scene, d.camera, first);
+  EXPECT_EQ(second->report().meshes_built, 1);
+  const auto third = scene::compile(moved(second_scene, 0.2f), d.camera, second);
+  EXPECT_EQ(third->report().meshes_built, 0);
+  EXPECT_EQ(third->report().meshes_reused, 1);
+  EXPECT_TRUE(third->report().top_level_built);
+}
+
+// The means of textured emission are taken from the previous scene; they have the bits of a scene that is compiled anew.
+TEST(Compile, MovedTexturedEmitterHasTheLightsOfAFreshScene) {
+  auto d = test::cornell(16);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  auto texels = std::make_shared<image::Image>();
+  texels->width = texels->height = 4;
+  texels->channels = 3;
+  for (int i = 0; i < 4 * 4 * 3; ++i) texels->bytes.push_back(static_cast<uint8_t>(5 * i));
+  scene->textures.emplace_back().image = texels;
+  Material material = test::diffuse(Rgb(0.5f), Rgb(3));
+  material.emission_texture.texture = static_cast<int>(scene->textures.size()) - 1;
+  const auto node = static_cast<size_t>(test::add(*scene, test::quad(0.3f), material));
+  const auto first = scene::compile(scene, d.camera, nullptr);
+  auto moved = std::make_shared<scene::Scene>(*scene);
+  (*moved->nodes[node].transform.matrix)[3].x = 0.25f;
+  const auto edited = scene::compile(moved, d.camera, first), fresh = scene::compile(moved, d.camera, nullptr);
+  const auto &a = edited->lights().triangles(), &b = fresh->lights().triangles();
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_TRUE(a.back().textured);
+  for (size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].radiance, b[i].radiance) << i;
+    EXPECT_EQ(a[i].p0, b[i].p0) << i;
+    EXPECT_EQ(a[i].textured, b[i].textured) << i;
+  }
+}
+
 TEST(State, EveryParameterIsRestored) {
   auto d = test::cornell(40);
   const std::pair<const char*, const char*> edits[] = {
