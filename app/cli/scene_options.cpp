@@ -5,6 +5,7 @@
 #include "image/plugin.h"
 #include "image/texture_memory.h"
 #include "render/scene_warnings.h"
+#include "render/session_file.h"
 #include "scene/builtin/builtin.h"
 
 namespace etendue::cli {
@@ -144,8 +145,24 @@ Result<void> set_parameters(render::Document& document, const std::vector<std::s
   return {};
 }
 
+namespace {
+
+// A scene, or a session that the viewer has saved.
+Result<render::Document> open_scene_or_session(const std::string& file, const std::string& camera) {
+  if (!file.ends_with(render::kSessionExtension)) return render::new_document(file, camera);
+  auto document = render::read_session_file(file);
+  if (!document || camera.empty()) return document;
+  const auto chosen = scene::choose_camera(*document->scene, camera);
+  if (!chosen) return usage_error(file + ": " + chosen.error().message);
+  document->camera = *chosen;
+  document->camera_name = camera;
+  return document;
+}
+
+}  // namespace
+
 Result<render::Document> open_document(const SceneArguments& arguments) {
-  auto document = render::new_document(arguments.scene, arguments.camera);
+  auto document = open_scene_or_session(arguments.scene, arguments.camera);
   if (!document) return document;
   if (auto r = set_size(*document, arguments.size); !r) return r.error();
   if (auto r = set_environment(*document, arguments.environment); !r) return r.error();

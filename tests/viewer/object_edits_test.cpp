@@ -1,4 +1,8 @@
 // Edits that add, duplicate, delete, rename and hide objects.
+#include <cstdlib>
+
+#include "render/session_file.h"
+#include "scene/gltf/load_gltf.h"
 #include "scripted.h"
 
 namespace etendue {
@@ -70,6 +74,22 @@ TEST_F(ObjectEdits, DeletedCameraKeepsTheView) {
             0);
   EXPECT_EQ(state("a.json")["parameters"]["camera.eye.x"], state("b.json")["parameters"]["camera.eye.x"]);
   EXPECT_EQ(state("b.json")["selection"]["node"], -1);
+}
+
+TEST_F(ObjectEdits, SaveWritesTheObjectsOfASession) {
+  auto d = render::with_structural_edit(*render::new_document("cornell"),
+                                        {.kind = scene::EditKind::add_shape, .type = "box", .name = "added box"});
+  ASSERT_TRUE(d);
+  d = render::with_structural_edit(*d, {.kind = scene::EditKind::remove, .node = 0});
+  ASSERT_TRUE(d);
+  ASSERT_TRUE(render::write_session_file(path("edited.etendue"), *d));
+  const std::string command =
+      std::string(ETENDUE_BINARY) + " save " + path("edited.etendue") + " -o " + path("edited.glb");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto saved = scene::load_gltf(path("edited.glb"));
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->nodes.size(), d->scene->nodes.size() - 1);
+  EXPECT_EQ(saved->nodes.back().name, "added box");
 }
 
 }  // namespace
