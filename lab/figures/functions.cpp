@@ -164,6 +164,22 @@ Figure figure_2_4() {
           }};
 }
 
+Figure figure_2_11() {
+  return {.title = "Orthogonal projection onto the even functions",
+          .note = "The projection of f is (f(x) + f(-x)) / 2; the rest is odd and orthogonal to it in L\u00b2[-1, 1].",
+          .make = [](const MakeContext&) -> Result<Parts> {
+            const auto f = [](double x) { return 1 + x + 2 * x * x; };
+            return Parts{curves_part("A quadratic polynomial and its even part", "x", "",
+                                     {{.name = "f = 1 + x + 2 x\u00b2", .points = sampled(f, -1, 1)},
+                                      {.name = "even part 1 + 2 x\u00b2",
+                                       .points = sampled([&](double x) { return 0.5 * (f(x) + f(-x)); }, -1, 1)},
+                                      {.name = "odd part x",
+                                       .style = CurveStyle::dashed,
+                                       .points = sampled([&](double x) { return 0.5 * (f(x) - f(-x)); }, -1, 1)}},
+                                     520, 320)};
+          }};
+}
+
 Figure figure_2_14() {
   return {.title = "The Cantor set",
           .note = "The first six steps. What remains has the length (2/3)^n.",

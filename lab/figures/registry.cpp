@@ -8,12 +8,14 @@
   ENTRY(1, 2) \
   ENTRY(1, 3) \
   ENTRY(1, 11) \
+  ENTRY(1, 12) \
   ENTRY(1, 13) \
   ENTRY(1, 14) \
   ENTRY(1, 15) \
   ENTRY(2, 1) \
   ENTRY(2, 2) \
   ENTRY(2, 4) \
+  ENTRY(2, 11) \
   ENTRY(2, 14) \
   ENTRY(2, 29) \
   ENTRY(2, 36) \
@@ -105,9 +107,13 @@
   ENTRY(7, 19) \
   ENTRY(8, 6) \
   ENTRY(8, 12) \
+  ENTRY(8, 13) \
+  ENTRY(8, 15) \
   ENTRY(8, 19) \
   ENTRY(8, 21) \
+  ENTRY(9, 2) \
   ENTRY(9, 7) \
+  ENTRY(9, 8) \
   ENTRY(9, 13) \
   ENTRY(9, 16) \
   ENTRY(9, 17) \
@@ -115,6 +121,10 @@
   ENTRY(9, 26) \
   ENTRY(9, 28) \
   ENTRY(9, 38) \
+  ENTRY(9, 40) \
+  ENTRY(9, 41) \
+  ENTRY(9, 42) \
+  ENTRY(9, 43) \
   ENTRY(9, 44) \
   ENTRY(9, 45) \
   ENTRY(9, 47) \

@@ -131,6 +131,14 @@ Figure figure_8_12() {
           }};
 }
 
+Figure figure_8_13() {
+  return {.title = "Ray tracing after Whitted with area light sources",
+          .note = "Shadows of area lights have soft edges.",
+          .make = [](const MakeContext& context) -> Result<Parts> {
+            return Parts{by_method("Box with spheres", "cornell-spheres", {"integrator=whitted"}, context, 256)};
+          }};
+}
+
 Figure figure_8_19() {
   return {.title = "Fuzzy phenomena: depth of field",
           .note = "The camera focuses on the near sphere. The motion blur of the book's billiard balls is not shown.",
