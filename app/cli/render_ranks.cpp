@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -41,6 +42,11 @@ render::Document part_of(render::Document document) {
   return document;
 }
 
+// When a rank has died, mpirun sends SIGCONT to the others, and ends them one second later. This is the time to write a
+// checkpoint.
+std::atomic<bool> checkpoint_requested{false};
+void request_checkpoint(int) { checkpoint_requested = true; }
+
 class RanksJob {
  public:
   RanksJob(cluster::Communicator& communicator, const render::Document& document, const RanksArguments& a,
@@ -52,13 +58,14 @@ class RanksJob {
 
   int run() {
     const std::atomic<bool>& interrupted = watch_interrupts();
+    std::signal(SIGCONT, request_checkpoint);
     if (auto ok = render(interrupted); !ok) return fail(ok.error());
     const render::Status status = manager_.status();
     if (interrupted) return stop(status);
     std::fprintf(stderr, "etendue: %s\n", manager_.summary().c_str());
     if (auto ok = write_image(status); !ok) return fail(ok.error());
     std::error_code ignored;
-    if (a_.checkpoint_interval > 0 || a_.resumes) std::filesystem::remove(a_.checkpoint_file, ignored);
+    if (checkpoint_written_ || a_.resumes) std::filesystem::remove(a_.checkpoint_file, ignored);
     return 0;
   }
 
@@ -79,6 +86,8 @@ class RanksJob {
     auto last_shown = render::Clock::now(), last_checkpoint = last_shown;
     while (!manager_.is_finished() && !interrupted) {
       if (auto ok = manager_.step(); !ok) return ok;
+      if (checkpoint_requested.exchange(false))
+        if (auto ok = write_checkpoint(manager_.status()); !ok) return ok;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       if (seconds_since(last_shown) < kProgressInterval) continue;
       last_shown = render::Clock::now();
@@ -101,15 +110,20 @@ class RanksJob {
 
   // The checkpoint first, because little time is left if mpirun ends the job.
   int stop(const render::Status& status) {
+    if (status.samples == 0) {
+      std::fprintf(stderr, "etendue: interrupted before the first sample; nothing was written\n");
+      return static_cast<int>(Fault::interrupted);
+    }
     if (auto ok = write_checkpoint(status); !ok) return fail(ok.error());
     std::fprintf(stderr, "etendue: interrupted at %u spp; continue with --resume %s\n", status.samples,
                  a_.checkpoint_file.c_str());
-    if (status.samples > 0)
-      if (auto ok = write_image(status); !ok) return fail(ok.error());
+    if (auto ok = write_image(status); !ok) return fail(ok.error());
     return static_cast<int>(Fault::interrupted);
   }
 
   Result<void> write_checkpoint(const render::Status& status) {
+    if (status.samples == 0) return {};
+    checkpoint_written_ = true;
     const std::string state = render::state_json(document_, status.samples);
     return render::write_checkpoint(a_.checkpoint_file, {.state = cluster::with_ranges(state, manager_.done()),
                                                          .film = manager_.samples().film,
@@ -125,7 +139,7 @@ class RanksJob {
   const render::Document& document_;
   double earlier_seconds_;
   cluster::RenderManager manager_;
-  bool incompatibility_printed_ = false;
+  bool incompatibility_printed_ = false, checkpoint_written_ = false;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ int launched_size() { return number_from_environment({"OMPI_COMM_WORLD_SIZE", "P
 }  // namespace
 
 bool is_mpi_job() { return launched_size() > 1; }
-int launched_rank() { return number_from_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0); }
+int launched_rank() { return is_mpi_job() ? number_from_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0) : 0; }
 int processes_on_machine() { return number_from_environment({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}, 1); }
 
 Result<Communicator*> join_mpi_job() {

@@ -40,6 +40,7 @@ void SampleRanges::add(const SampleRange& range) {
 }
 
 void SampleRanges::remove(const SampleRange& range) {
+  if (range.is_empty()) return;
   std::vector<SampleRange> rest;
   for (const SampleRange& r : ranges_) {
     if (const SampleRange before{r.first, std::min(r.end, range.first)}; !before.is_empty()) rest.push_back(before);

@@ -9,12 +9,16 @@ namespace {
 
 // The fraction of the remaining time that a piece takes.
 constexpr double kGuidedFraction = 0.5;
-// The largest number of samples in the first piece of a rank whose speed is not known.
-constexpr uint32_t kFirstPiece = 1;
+// While no speed is known, so many ranks render one sample each. More would only send more results to rank 0.
+constexpr size_t kPilots = 16;
+// The planned duration of the first piece of a rank is this fraction of that of others, because the rank may be slow.
+constexpr double kFirstPieceFraction = 0.25;
 // The ratio of the sizes of consecutive pieces is limited, because short measurements are inaccurate.
 constexpr uint32_t kGrowth = 8;
 // Where no work is left, a piece that takes this many times as long as planned is given to a further rank.
 constexpr double kLateAtEnd = 1.5;
+// Seconds between two searches for late pieces where no other work is left.
+constexpr double kLookInterval = 0.05;
 constexpr uint32_t kMostSamples = 1'000'000;  // per pixel
 
 }  // namespace
@@ -32,55 +36,53 @@ int WorkSchedule::active_ranks() const {
   return static_cast<int>(std::ranges::count_if(ranks_, [](const Rank& r) { return r.is_active; }));
 }
 
-// The mean over the ranks with a known speed; 0 if there are none.
-double WorkSchedule::typical_seconds_per_sample() const {
-  double sum = 0;
-  int count = 0;
-  for (const Rank& r : ranks_)
-    if (r.is_active && r.seconds_per_sample > 0) {
-      sum += r.seconds_per_sample;
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
+// Speeds that are not known count as the mean of the others.
+void WorkSchedule::update_speeds() {
+  double seconds = 0, speed = 0;
+  int known = 0;
+  for (const Rank& r : ranks_) {
+    if (!r.is_active || r.seconds_per_sample <= 0) continue;
+    seconds += r.seconds_per_sample;
+    speed += 1 / r.seconds_per_sample;
+    ++known;
+  }
+  typical_seconds_per_sample_ = known > 0 ? seconds / known : 0;
+  samples_per_second_ = known > 0 ? speed + (active_ranks() - known) / typical_seconds_per_sample_ : 0;
+  no_work_until_ = 0;
 }
 
 double WorkSchedule::seconds_per_sample(int rank) const {
   const double measured = rank_at(rank).seconds_per_sample;
-  return measured > 0 ? measured : typical_seconds_per_sample();
+  return measured > 0 ? measured : typical_seconds_per_sample_;
 }
 
-double WorkSchedule::samples_per_second() const {
-  const double typical = typical_seconds_per_sample();
-  double speed = 0;
-  for (const Rank& r : ranks_) {
-    const double seconds = r.seconds_per_sample > 0 ? r.seconds_per_sample : typical;
-    if (r.is_active && seconds > 0) speed += 1 / seconds;
-  }
-  return speed;
-}
+// The duration of pieces with which rank 0 is always merging.
+double WorkSchedule::merging_seconds() const { return merge_seconds_ * active_ranks(); }
 
 double WorkSchedule::piece_seconds(double now) const {
-  double seconds = options_.longest_piece;
-  if (const double speed = samples_per_second(); samples_ > 0 && speed > 0) {
+  double seconds = std::max(options_.longest_piece, merging_seconds() / options_.merge_load);
+  if (samples_ > 0 && samples_per_second_ > 0) {
     const double rest = samples_ - std::min(samples_, begun_.count());
-    seconds = std::min(seconds, kGuidedFraction * rest / speed);
+    seconds = std::min(seconds, kGuidedFraction * rest / samples_per_second_);
   }
-  const double merging = merge_seconds_ * active_ranks() / options_.merge_load;
-  seconds = std::max({seconds, options_.shortest_piece, merging});
+  seconds = std::max({seconds, options_.shortest_piece, merging_seconds()});
   return std::min(seconds, std::max(0.0, deadline_ - now));
 }
 
 uint32_t WorkSchedule::piece_samples(int rank, double now) const {
   const Rank& r = rank_at(rank);
-  if (r.seconds_per_sample <= 0) return kFirstPiece;
-  const double samples = std::round(piece_seconds(now) / r.seconds_per_sample);
-  return static_cast<uint32_t>(std::clamp(samples, 1.0, double{kGrowth} * r.measured_samples));
+  const double per_sample = seconds_per_sample(rank);
+  if (per_sample <= 0) return 1;
+  const bool is_first = r.seconds_per_sample <= 0;
+  const double seconds =
+      is_first ? std::max(kFirstPieceFraction * piece_seconds(now), merging_seconds()) : piece_seconds(now);
+  const double most = is_first ? kMostSamples : double{kGrowth} * r.measured_samples;
+  return static_cast<uint32_t>(std::clamp(std::round(seconds / per_sample), 1.0, most));
 }
 
 bool WorkSchedule::is_late(int rank, double now) const {
   const Rank& r = rank_at(rank);
-  if (!r.piece) return false;
-  if (r.seconds_per_sample <= 0 && typical_seconds_per_sample() <= 0) return false;
+  if (!r.piece || now - r.begun <= options_.shortest_patience || typical_seconds_per_sample_ <= 0) return false;
   double allowed = options_.patience * r.planned + options_.shortest_patience;
   if (r.seconds_per_sample <= 0) allowed += options_.first_patience;
   return now - r.begun > allowed;
@@ -117,17 +119,19 @@ Piece WorkSchedule::assign(int rank, const Piece& piece, double now) {
 
 std::optional<Piece> WorkSchedule::next(int rank, double now) {
   const Rank& r = rank_at(rank);
-  if (!r.is_active || r.piece || is_finished()) return std::nullopt;
+  if (!r.is_active || r.piece || now < no_work_until_ || is_finished()) return std::nullopt;
   if (const OpenPiece* late = late_piece(now)) return assign(rank, Piece(late->piece), now);
   // At least one sample is rendered, however short the time is.
   if (begun_.end() > 0 && now + 0.5 * seconds_per_sample(rank) >= deadline_) close();
   const SampleRange gap = begun_.first_gap(samples_ > 0 ? samples_ : kMostSamples);
+  if (seconds_per_sample(rank) <= 0 && open_.size() >= kPilots) return std::nullopt;
   if (!gap.is_empty()) {
     const uint32_t size = std::min(gap.size(), piece_samples(rank, now));
     return assign(rank, {++last_id_, {gap.first, gap.first + size}}, now);
   }
   for (const OpenPiece& open : open_)
     if (open.ranks.size() == 1 && is_expected_late(open, now)) return assign(rank, Piece(open.piece), now);
+  no_work_until_ = now + kLookInterval;
   return std::nullopt;
 }
 
@@ -139,6 +143,7 @@ void WorkSchedule::measure(Rank& rank, const SampleRange& range, double seconds)
                             : 1;
   rank.seconds_per_sample += weight * (measured - rank.seconds_per_sample);
   rank.measured_samples = std::max(rank.measured_samples, range.size());
+  update_speeds();
 }
 
 // The rank does not render the piece any more. Without another rank its samples have to be begun again.
@@ -173,12 +178,14 @@ void WorkSchedule::reject(int rank) {
   Rank& r = rank_at(rank);
   if (r.piece) release(rank, r.piece->id);
   if (++r.damaged >= options_.most_damaged) r.is_active = false;
+  update_speeds();
 }
 
 void WorkSchedule::remove(int rank) {
   Rank& r = rank_at(rank);
   r.is_active = false;
   if (r.piece) release(rank, r.piece->id);
+  update_speeds();
 }
 
 void WorkSchedule::close() {

@@ -18,7 +18,8 @@ namespace etendue::cluster {
 
 struct ScheduleOptions {
   double shortest_piece = 0.5, longest_piece = 30;  // planned duration of a piece, in seconds
-  // The largest fraction of its time that rank 0 spends on merging. Pieces are made longer where that is needed.
+  // The fraction of its time that rank 0 may spend on merging. Where that is needed, pieces are longer than the above.
+  // Only towards the end it is exceeded.
   double merge_load = 0.2;
   // A piece is late after this multiple of its planned duration, and a while longer. It is then given to another rank.
   double patience = 4, shortest_patience = 5;
@@ -85,9 +86,9 @@ class WorkSchedule {
   const Rank& rank_at(int rank) const { return ranks_[static_cast<size_t>(rank)]; }
   Rank& rank_at(int rank) { return ranks_[static_cast<size_t>(rank)]; }
   std::optional<size_t> find(uint64_t id) const;
-  double typical_seconds_per_sample() const;
   double seconds_per_sample(int rank) const;
-  double samples_per_second() const;
+  void update_speeds();
+  double merging_seconds() const;
   double piece_seconds(double now) const;
   uint32_t piece_samples(int rank, double now) const;
   bool is_expected_late(const OpenPiece& open, double now) const;
@@ -102,7 +103,9 @@ class WorkSchedule {
   double merge_seconds_ = 0;
   std::vector<Rank> ranks_;
   std::vector<OpenPiece> open_;
-  SampleRanges done_, begun_;  // begun_: done, or in an open piece
+  SampleRanges done_, begun_;                                       // begun_: done, or in an open piece
+  double typical_seconds_per_sample_ = 0, samples_per_second_ = 0;  // of active ranks; 0: not known
+  double no_work_until_ = 0;
   uint64_t last_id_ = 0;
   uint32_t repeated_pieces_ = 0, damaged_results_ = 0;
 };
