@@ -122,8 +122,8 @@ std::string progress_text(const render::Status& s) {
   return text;
 }
 
-Result<void> write_statistics(const std::string& file, const std::string& json) {
-  const std::string text = json + "\n";
+Result<void> write_statistics(const std::string& file, const std::string& statistics) {
+  const std::string text = statistics + "\n";
   if (file != "-") return write_file(file, text.data(), text.size());
   std::fputs(text.c_str(), stdout);
   return {};
