@@ -25,8 +25,6 @@
 namespace etendue::cli {
 namespace {
 
-using render::seconds_since;
-
 constexpr double kProgressInterval = 0.1;  // seconds
 
 // Threads of this process: the processes of one machine share its hardware threads.
@@ -89,12 +87,12 @@ class RanksJob {
       if (checkpoint_requested.exchange(false))
         if (auto ok = write_checkpoint(manager_.status()); !ok) return ok;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (seconds_since(last_shown) < kProgressInterval) continue;
+      if (render::seconds_since(last_shown) < kProgressInterval) continue;
       last_shown = render::Clock::now();
       const render::Status status = manager_.status();
       print_incompatibility(status);
       progress.show(status.progress, progress_text(status));
-      if (a_.checkpoint_interval <= 0 || seconds_since(last_checkpoint) < a_.checkpoint_interval) continue;
+      if (a_.checkpoint_interval <= 0 || render::seconds_since(last_checkpoint) < a_.checkpoint_interval) continue;
       if (auto ok = write_checkpoint(status); !ok) return ok;
       last_checkpoint = render::Clock::now();
     }

@@ -1,6 +1,6 @@
 // The plugin for MPI: point-to-point messages that never block.
 //
-// A message is sent in chunks, because MPI counts bytes by `int`. The tag of a chunk tells whether it is the last one.
+// A message is sent in chunks, because MPI counts bytes by `int`. The tag of a chunk shows whether it is the last one.
 // Chunks are received into memory while other work goes on, so a rank that stops in the middle of a message does not
 // stop the receiver.
 #include <mpi.h>
