@@ -18,5 +18,7 @@ pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
 # Optional. Its CMake configuration fails unless its command-line tools are installed, so pkg-config is used.
 pkg_check_modules(OPENIMAGEIO IMPORTED_TARGET OpenImageIO)
+# Optional: renderings on several machines.
+pkg_check_modules(OPENMPI IMPORTED_TARGET ompi-c)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)

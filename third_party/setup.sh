@@ -33,9 +33,11 @@ show_progress() {
     END { if (shown && terminal == "yes") print "" }' >&2
 }
 
-# Whether the build in this folder was configured while OpenImageIO or OpenVDB was missing, and it is installed now.
+# Whether the build in this folder was configured while OpenImageIO, Open MPI or OpenVDB was missing, and it is installed
+# now.
 lacks_plugin() {
   pkg-config --exists OpenImageIO && ! grep -q etendue_openimageio "$1/build.ninja" && return
+  pkg-config --exists ompi-c && ! grep -q etendue_mpi "$1/build.ninja" && return
   [ -e /usr/include/openvdb/openvdb.h ] && [ -e /usr/include/boost/version.hpp ] && ! grep -q etendue_openvdb "$1/build.ninja"
 }
 

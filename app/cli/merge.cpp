@@ -140,22 +140,6 @@ Result<render::Document> document_of(const render::PartInfo& info, const std::st
   return document;
 }
 
-Result<void> write_merged_image(const MergeArguments& a, const std::vector<std::string>& aovs, const PartList& list,
-                                const render::Document& document, render::PartialSamples samples) {
-  render::Session session({.threads = a.threads});
-  render::ResumePoint start(std::move(samples.film));
-  start.tails = std::move(samples.tails);
-  session.submit(document, std::move(start));
-  session.finish();
-  render::Status status = session.status();
-  status.rays = list.merged.rays;
-  status.seconds = static_cast<double>(list.merged.microseconds) * 1e-6;
-  const ResultFiles files{.out = a.out, .png = a.png, .json = a.json, .aovs = aovs, .threads = a.threads};
-  if (auto ok = write_results(session, document, status, files, "null"); !ok) return ok;
-  print_reliability(a.out, status);
-  return {};
-}
-
 Result<void> merge(const MergeArguments& a) {
   if (auto ok = check_output(a); !ok) return ok;
   const auto aovs = parse_aovs(a.aovs);
@@ -172,7 +156,9 @@ Result<void> merge(const MergeArguments& a) {
   if (!document) return document.error();
   auto samples = merged_samples(a, *list);
   if (!samples) return samples.error();
-  return write_merged_image(a, *aovs, *list, *document, std::move(*samples));
+  const ResultFiles files{.out = a.out, .png = a.png, .json = a.json, .aovs = *aovs, .threads = a.threads};
+  const double seconds = static_cast<double>(list->merged.microseconds) * 1e-6;
+  return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "base/similar_name.h"
+#include "cluster/mpi_job.h"
 
 namespace etendue::cli {
 namespace {
@@ -77,6 +78,12 @@ std::string unknown_argument(const CLI::App& app) {
   return "";
 }
 
+// All ranks of an MPI job have the same arguments, so one of them reports an error.
+int fail_to_parse(const std::string& message) {
+  const Error error = usage_error(message);
+  return cluster::launched_rank() == 0 ? fail(error) : static_cast<int>(error.fault);
+}
+
 }  // namespace
 
 int parse_and_run(const std::vector<Command>& commands, std::vector<std::string> arguments) {
@@ -104,9 +111,9 @@ int parse_and_run(const std::vector<Command>& commands, std::vector<std::string>
     return app.exit(request);
   } catch (const CLI::ExtrasError& error) {
     const std::string unknown = unknown_argument(app);
-    return fail(usage_error((unknown.empty() ? error.what() : unknown) + "; see " + help));
+    return fail_to_parse((unknown.empty() ? error.what() : unknown) + "; see " + help);
   } catch (const CLI::ParseError& error) {
-    return fail(usage_error(std::string(error.what()) + "; see " + help));
+    return fail_to_parse(std::string(error.what()) + "; see " + help);
   }
   return code;
 }

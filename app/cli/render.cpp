@@ -12,6 +12,9 @@
 #include "advisor/method_choice.h"
 #include "base/number_text.h"
 #include "bench/reference_key.h"
+#include "cluster/checkpoint_ranges.h"
+#include "cluster/mpi_job.h"
+#include "cluster/single_rank.h"
 #include "command.h"
 #include "interrupt.h"
 #include "part_options.h"
@@ -23,6 +26,7 @@
 #include "render/partial_result.h"
 #include "render/session.h"
 #include "render/session_file.h"
+#include "render_ranks.h"
 #include "render_results.h"
 #include "render_statistics.h"
 #include "scene/builtin/builtin.h"
@@ -44,6 +48,8 @@ struct RenderArguments {
   double exposure = NAN;
 };
 
+std::string checkpoint_file_of(const RenderArguments& a) { return a.resume.empty() ? a.out + ".checkpoint" : a.resume; }
+
 // The fraction of the time limit that remains for the rendering if the choice of the integrator took longer than
 // planned.
 constexpr double kLeastRemainingTime = 0.5;
@@ -52,7 +58,8 @@ constexpr double kLeastRemainingTime = 0.5;
 struct Start {
   render::Document document;
   std::optional<render::ResumePoint> resume_point = {};
-  double seconds = 0;  // of rendering that the existing samples took
+  double seconds = 0;                 // of rendering that the existing samples took
+  cluster::SampleRanges ranges = {};  // the numbers of the existing samples
 };
 
 Result<Start> start_from_checkpoint(const std::string& file) {
@@ -63,10 +70,12 @@ Result<Start> start_from_checkpoint(const std::string& file) {
   document->part = render::part_from_state(checkpoint->state);
   if (const auto& region = document->part.region; region && !is_inside(*region, document->width, document->height))
     return input_error(file + ": its region is not a part of the image; render this part again");
+  auto ranges = cluster::ranges_of(checkpoint->state, checkpoint->film.samples(0, 0));
   return Start{
       .document = std::move(*document),
       .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),
-      .seconds = checkpoint->seconds};
+      .seconds = checkpoint->seconds,
+      .ranges = std::move(ranges)};
 }
 
 Result<Start> start_like(const std::string& file) {
@@ -153,16 +162,6 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   return {};
 }
 
-std::string progress_text(const render::Status& s) {
-  std::string text = std::to_string(s.samples) + " spp  " + format_rate(s.paths_per_second, "samples") + "  " +
-                     format_rate(s.rays_per_second, "rays");
-  if (s.phase_progress > 0) text += "  " + s.phase + " " + format_percent(s.phase_progress);
-  if (s.measured_error.known)
-    text +=
-        std::string("  ") + film::measure_label(s.measure) + " " + film::error_text(s.measure, s.measured_error.value);
-  return text;
-}
-
 // One rendering: runs the session with progress and checkpoints, then writes the results.
 class RenderJob {
  public:
@@ -172,7 +171,7 @@ class RenderJob {
         aovs_(std::move(aovs)),
         document_(std::move(start.document)),
         earlier_seconds_(start.seconds),
-        checkpoint_file_(a.resume.empty() ? a.out + ".checkpoint" : a.resume),
+        checkpoint_file_(checkpoint_file_of(a)),
         resume_point_(std::move(start.resume_point)),
         session_({.threads = a.threads}) {}
 
@@ -336,8 +335,51 @@ Result<void> check_part_arguments(const RenderArguments& a, Start& start) {
   return reason.empty() ? Result<void>() : Result<void>(usage_error("render: " + reason));
 }
 
-// Wrong arguments fail before anything is rendered.
-int run_render(const RenderArguments& a) {
+// The film with a whole number of samples per pixel, which the ranks need. That of an interrupted rendering may have one
+// more in some pixels.
+Result<void> complete_sample(const RenderArguments& a, Start& start) {
+  const film::Film& film = start.resume_point->film;
+  uint32_t least = film.samples(0, 0), most = least;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      least = std::min(least, film.samples(x, y));
+      most = std::max(most, film.samples(x, y));
+    }
+  if (least == most) return {};
+  render::Document document = start.document;
+  document.limits = {least + 1, 0, 0, document.limits.measure};
+  render::Session session({.threads = a.threads});
+  session.submit(document, std::move(*start.resume_point));
+  session.finish();
+  start.resume_point = session.resume_point();
+  start.ranges = {};
+  start.ranges.add({0, least + 1});
+  return {};
+}
+
+int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::vector<std::string> aovs, Start start) {
+  if (a.part.is_given() || !start.document.part.is_whole())
+    return fail(usage_error("render: mpirun divides the rendering itself; leave out --samples and --region"));
+  if (const std::string reason = ranks_incompatibility(start.document); !reason.empty())
+    return fail(usage_error("render: mpirun: " + reason));
+  std::optional<RenderedSamples> rendered;
+  if (start.resume_point) {
+    if (auto ok = complete_sample(a, start); !ok) return fail(ok.error());
+    rendered = {std::move(start.resume_point->film), std::move(start.ranges), start.seconds};
+  }
+  const RanksArguments arguments{
+      .files = {.out = a.out, .png = a.png, .json = a.json, .aovs = std::move(aovs), .threads = a.threads},
+      .checkpoint_file = checkpoint_file_of(a),
+      .checkpoint_interval = a.checkpoint_interval,
+      .resumes = !a.resume.empty()};
+  return render_on_ranks(ranks, start.document, arguments, std::move(rendered));
+}
+
+// Whether samples before the last one are missing, because several ranks were interrupted.
+bool has_gaps(const Start& start) { return !start.ranges.contains({0, start.ranges.count()}); }
+
+// Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
+int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (auto ok = check_names(a.out, a.png, "render"); !ok) return fail(ok.error());
   auto aovs = parse_aovs(a.aovs);
   if (!aovs) return fail(aovs.error());
@@ -348,10 +390,20 @@ int run_render(const RenderArguments& a) {
   if (!a.resume.empty())
     if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
   const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
-  if (writes_part)
+  if (writes_part && !ranks)
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
   print_warnings(start->document);
+  if (ranks) return run_on_rank_0(a, *ranks, std::move(*aovs), std::move(*start));
+  if (start->resume_point && has_gaps(*start)) {
+    cluster::SingleRank single;
+    return run_on_rank_0(a, single, std::move(*aovs), std::move(*start));
+  }
   return RenderJob(a, std::move(*aovs), std::move(*start), writes_part).run();
+}
+
+int run_render_command(const RenderArguments& a) {
+  if (!cluster::is_mpi_job()) return run_render(a, nullptr);
+  return run_on_ranks(a.threads, [&](cluster::Communicator& ranks) { return run_render(a, &ranks); });
 }
 
 }  // namespace
@@ -414,7 +466,7 @@ Command render_command() {
                   {.names = "--like",
                    .target = &a->like,
                    .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
-      .run = [a] { return run_render(*a); }};
+      .run = [a] { return run_render_command(*a); }};
 }
 
 }  // namespace etendue::cli

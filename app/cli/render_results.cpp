@@ -6,6 +6,7 @@
 
 #include "advisor/certificate.h"
 #include "base/file.h"
+#include "base/number_text.h"
 #include "render/aov.h"
 #include "render/image_output.h"
 #include "render_statistics.h"
@@ -93,6 +94,32 @@ Result<void> write_results(render::Session& session, const render::Document& doc
                                                        .threads = files.threads,
                                                        .certificate = rendering.certificate,
                                                        .choice = choice}));
+}
+
+Result<void> write_samples(const render::Document& document, SamplesToWrite rendered, const ResultFiles& files) {
+  render::Document limited = document;
+  limited.limits = {std::max(rendered.samples.film.samples(0, 0), 1U), 0, 0, document.limits.measure};
+  render::Session session({.threads = files.threads});
+  render::ResumePoint start(std::move(rendered.samples.film));
+  start.tails = std::move(rendered.samples.tails);
+  session.submit(limited, std::move(start));
+  session.finish();
+  render::Status status = session.status();
+  status.rays = rendered.rays;
+  status.seconds = rendered.seconds;
+  if (auto ok = write_results(session, document, status, files, "null"); !ok) return ok;
+  print_reliability(files.out, status);
+  return {};
+}
+
+std::string progress_text(const render::Status& s) {
+  std::string text = std::to_string(s.samples) + " spp  " + format_rate(s.paths_per_second, "samples") + "  " +
+                     format_rate(s.rays_per_second, "rays");
+  if (s.phase_progress > 0) text += "  " + s.phase + " " + format_percent(s.phase_progress);
+  if (s.measured_error.known)
+    text +=
+        std::string("  ") + film::measure_label(s.measure) + " " + film::error_text(s.measure, s.measured_error.value);
+  return text;
 }
 
 Result<void> write_statistics(const std::string& file, const std::string& statistics) {

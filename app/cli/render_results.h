@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "render/partial_result.h"
 #include "render/session.h"
 
 namespace etendue::cli {
@@ -25,6 +26,19 @@ Result<void> check_names(const std::string& out, const std::string& png, const s
 // integrator, or "null". The session renders other documents for the certificate.
 Result<void> write_results(render::Session& session, const render::Document& document, const render::Status& status,
                            const ResultFiles& files, const std::string& choice);
+
+// Samples that a session of another process has taken.
+struct SamplesToWrite {
+  render::PartialSamples samples;
+  uint64_t rays = 0;
+  double seconds = 0;  // of rendering
+};
+
+// Writes the results of a rendering of `document`, and prints one line if its estimated error cannot be trusted.
+Result<void> write_samples(const render::Document& document, SamplesToWrite rendered, const ResultFiles& files);
+
+// What progress bars show beside the bar: "128 spp  1.90 Msamples/s".
+std::string progress_text(const render::Status& status);
 
 // Writes the statistics as JSON to a file; '-' is standard output.
 Result<void> write_statistics(const std::string& file, const std::string& json);
