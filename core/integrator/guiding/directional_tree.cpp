@@ -1,48 +1,70 @@
 #include "integrator/guiding/directional_tree.h"
 
-#include <algorithm>
-
 namespace etendue::guiding {
 namespace {
 
-// Selects the second of two parts with the masses `first` and `second`, and stretches u to that part.
+// Cells with fewer records are not divided.
+constexpr float kFewestRecords = 8;
+
+// Selects the second of two parts with the positive masses `first` and `second`, and stretches u to that part.
 bool select_part(float first, float second, float& u) {
   const float split = first / (first + second);
   const bool is_second = u >= split;
-  u = is_second ? (u - split) / (1 - split) : u / split;
-  u = std::min(u, kOneMinusEpsilon);
+  u = std::min(is_second ? (u - split) / (1 - split) : u / split, kOneMinusEpsilon);
   return is_second;
+}
+
+// Adds a node for a quarter of another one.
+uint32_t add_child(std::vector<QuadtreeNode>& nodes, uint32_t parent, size_t quarter) {
+  const auto added = static_cast<uint32_t>(nodes.size());
+  nodes.emplace_back();
+  nodes[parent].child[quarter] = added;
+  return added;
+}
+
+// Divides the quarters of `node` that have a probability above `threshold`. The cell has the probability `probability`;
+// `source` is its node in the distribution, or null: uniform.
+void divide(const std::vector<QuadtreeNode>& sources, const QuadtreeNode* source, float probability, float threshold,
+            int depth, uint32_t node, std::vector<QuadtreeNode>& nodes) {
+  if (depth >= kMaxQuadtreeDepth) return;
+  for (size_t q = 0; q < 4; ++q) {
+    const float part = probability * (source ? source->values[q] : 0.25f);
+    if (!(part > threshold)) continue;
+    const uint32_t below = source ? source->child[q] : 0;
+    divide(sources, below != 0 ? &sources[below] : nullptr, part, threshold, depth + 1, add_child(nodes, node, q),
+           nodes);
+  }
+}
+
+// Writes the probabilities of the quarters of `source` to `node`.
+void add_probabilities(const std::vector<QuadtreeNode>& sums, uint32_t source, float records, uint32_t node,
+                       std::vector<QuadtreeNode>& nodes) {
+  const QuadtreeNode& from = sums[source];
+  const float total = from.total();
+  for (size_t q = 0; q < 4; ++q) {
+    const float records_here = total > 0 ? records * from.values[q] / total : 0;
+    nodes[node].values[q] = total > 0 ? (records_here + 1) / (records + 4) : 0.25f;
+    if (from.child[q] != 0 && records_here >= kFewestRecords)
+      add_probabilities(sums, from.child[q], records_here, add_child(nodes, node, q), nodes);
+  }
 }
 
 }  // namespace
 
-void DirectionalTree::sum_up() {
-  for (size_t i = nodes_.size(); i-- > 0;)
-    for (size_t q = 0; q < 4; ++q)
-      if (const uint32_t child = nodes_[i].child[q]; child != 0) nodes_[i].sums[q] = nodes_[child].total();
+bool is_quadtree(const std::vector<QuadtreeNode>& nodes) {
+  for (size_t i = 0; i < nodes.size(); ++i)
+    for (const uint32_t child : nodes[i].child)
+      if (child != 0 && (child <= i || child >= nodes.size())) return false;
+  return !nodes.empty();
 }
 
-float DirectionalTree::pdf(Vec2 p) const {
-  const Node* node = nodes_.data();
-  float density = 1;
-  for (;;) {
-    const size_t quarter = descend(p);
-    const float sum = node->sums[quarter];
-    if (!(sum > 0)) return 0;
-    density *= 4 * sum / node->total();
-    if (node->child[quarter] == 0) return density;
-    node = &nodes_[node->child[quarter]];
-  }
-}
-
-Vec2 DirectionalTree::sample(Vec2 u) const {
-  const Node* node = nodes_.data();
+Vec2 DirectionalDistribution::sample(Vec2 u) const {
   Vec2 corner(0);
   float size = 1;
-  for (;;) {
-    const auto& sums = node->sums;
-    const size_t x = select_part(sums[0] + sums[2], sums[1] + sums[3], u.x);
-    const size_t y = select_part(sums[x], sums[x + 2], u.y);
+  for (const QuadtreeNode* node = nodes_.data();;) {
+    const auto& p = node->values;
+    const size_t x = select_part(p[0] + p[2], p[1] + p[3], u.x);
+    const size_t y = select_part(p[x], p[x + 2], u.y);
     size *= 0.5f;
     corner += size * Vec2(static_cast<float>(x), static_cast<float>(y));
     const uint32_t child = node->child[x + 2 * y];
@@ -51,37 +73,20 @@ Vec2 DirectionalTree::sample(Vec2 u) const {
   }
 }
 
-DirectionalTree DirectionalTree::refined(float threshold) const {
-  DirectionalTree tree;
-  if (total() > 0) tree.divide(*this, 0, 0, 0, threshold * total(), 1);
-  return tree;
+DirectionalSums DirectionalDistribution::cells(float threshold) const {
+  std::vector<QuadtreeNode> nodes(1);
+  divide(nodes_, nodes_.data(), 1, threshold, 1, 0, nodes);
+  return DirectionalSums(std::move(nodes));
 }
 
-// Divides the quarters of `node` that hold more than `smallest`. They hold what the quarters of `source_node` hold, or a
-// quarter of `cell` if that node is kNone.
-void DirectionalTree::divide(const DirectionalTree& source, uint32_t source_node, uint32_t node, float cell,
-                             float smallest, int depth) {
-  constexpr uint32_t kNone = UINT32_MAX;
-  if (depth >= kMaxDepth) return;
-  for (size_t q = 0; q < 4; ++q) {
-    const bool has_source = source_node != kNone;
-    const float sum = has_source ? source.nodes_[source_node].sums[q] : 0.25f * cell;
-    if (!(sum > smallest)) continue;
-    const uint32_t below = has_source ? source.nodes_[source_node].child[q] : 0;
-    const auto added = static_cast<uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_[node].child[q] = added;
-    divide(source, below != 0 ? below : kNone, added, sum, smallest, depth + 1);
-  }
-}
-
-bool DirectionalTree::assign(std::vector<Node> nodes) {
-  if (nodes.empty()) return false;
-  for (size_t i = 0; i < nodes.size(); ++i)
-    for (const uint32_t child : nodes[i].child)
-      if (child != 0 && (child <= i || child >= nodes.size())) return false;
-  nodes_ = std::move(nodes);
-  return true;
+DirectionalDistribution DirectionalSums::distribution(float records) const {
+  std::vector<QuadtreeNode> sums = nodes_;
+  for (size_t i = sums.size(); i-- > 0;)
+    for (size_t q = 0; q < 4; ++q)
+      if (const uint32_t child = sums[i].child[q]; child != 0) sums[i].values[q] = sums[child].total();
+  std::vector<QuadtreeNode> nodes(1);
+  add_probabilities(sums, 0, records, 0, nodes);
+  return DirectionalDistribution(std::move(nodes));
 }
 
 }  // namespace etendue::guiding

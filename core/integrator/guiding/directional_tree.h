@@ -1,5 +1,6 @@
-// A distribution of directions: a quadtree over the square to which the sphere maps with equal areas. [Müller et al. 2017]
+// Distributions of directions: quadtrees over the square to which the sphere maps with equal areas. [Müller et al. 2017]
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,53 +19,14 @@ inline Vec2 sphere_to_square(const Vec3& w) {
           std::clamp(turn < 0 ? turn + 1 : turn, 0.0f, kOneMinusEpsilon)};
 }
 
-// A piecewise constant function on the unit square. Cells are quarters of quarters; a cell that holds a large fraction
-// of the integral is divided.
-class DirectionalTree {
- public:
-  // The quarters of a cell: quarter x + 2 y is at (x, y). `child` is the index of the node that divides it; 0: none.
-  // Children follow their parents.
-  struct Node {
-    std::array<float, 4> sums{};
-    std::array<uint32_t, 4> child{};
+// The quarters of a cell: quarter x + 2 y is at (x, y). `child` is the index of the node that divides it; 0: none.
+// Children follow their parents.
+struct QuadtreeNode {
+  std::array<float, 4> values{};
+  std::array<uint32_t, 4> child{};
 
-    float total() const { return (sums[0] + sums[1]) + (sums[2] + sums[3]); }
-  };
-  static constexpr int kMaxDepth = 12;
+  float total() const { return (values[0] + values[1]) + (values[2] + values[3]); }
 
-  // One cell per quarter of the square.
-  DirectionalTree() : nodes_(1) {}
-
-  // Adds a value to the cell of a point. `sum_up` makes it part of the function.
-  void add(Vec2 p, float value) {
-    Node* node = nodes_.data();
-    for (;;) {
-      const size_t quarter = descend(p);
-      if (node->child[quarter] == 0) {
-        node->sums[quarter] += value;
-        return;
-      }
-      node = &nodes_[node->child[quarter]];
-    }
-  }
-  // Computes the sums of divided cells. To be called once, after the last value.
-  void sum_up();
-
-  // The integral over the square; 0 if the tree has no values.
-  float total() const { return nodes_[0].total(); }
-  // The density of `sample` at a point, per unit area of the square. `total` must be positive.
-  float pdf(Vec2 p) const;
-  // A point distributed as the function, for u uniform in the square. `total` must be positive.
-  Vec2 sample(Vec2 u) const;
-
-  // A tree without values whose cells hold at most a fraction `threshold` of this function, where the depth allows it.
-  DirectionalTree refined(float threshold) const;
-
-  const std::vector<Node>& nodes() const { return nodes_; }
-  // False if the nodes do not form a tree, which is then unchanged.
-  bool assign(std::vector<Node> nodes);
-
- private:
   // The quarter that contains p, which becomes the position in that quarter.
   static size_t descend(Vec2& p) {
     p *= 2.0f;
@@ -72,10 +34,71 @@ class DirectionalTree {
     p -= Vec2(x ? 1.0f : 0.0f, y ? 1.0f : 0.0f);
     return size_t{x} + 2 * size_t{y};
   }
-  void divide(const DirectionalTree& source, uint32_t source_node, uint32_t node, float cell, float smallest,
-              int depth);
+};
+inline constexpr int kMaxQuadtreeDepth = 12;
 
-  std::vector<Node> nodes_;
+// Whether the nodes form a quadtree.
+bool is_quadtree(const std::vector<QuadtreeNode>& nodes);
+
+class DirectionalSums;
+
+// A piecewise constant density on the unit square. The values of a node are the probabilities of its quarters.
+class DirectionalDistribution {
+ public:
+  // Uniform.
+  DirectionalDistribution() : nodes_{{{0.25f, 0.25f, 0.25f, 0.25f}, {}}} {}
+  // `nodes` must be a quadtree.
+  explicit DirectionalDistribution(std::vector<QuadtreeNode> nodes) : nodes_(std::move(nodes)) {}
+
+  // The density of `sample` at a point, per unit area of the square.
+  float pdf(Vec2 p) const {
+    float density = 1;
+    for (const QuadtreeNode* node = nodes_.data();;) {
+      const size_t quarter = QuadtreeNode::descend(p);
+      density *= 4 * node->values[quarter];
+      if (node->child[quarter] == 0) return density;
+      node = &nodes_[node->child[quarter]];
+    }
+  }
+  // A point for u uniform in the square.
+  Vec2 sample(Vec2 u) const;
+
+  // Empty sums whose cells have a probability of at most `threshold` each, where the depth allows it.
+  DirectionalSums cells(float threshold) const;
+
+  const std::vector<QuadtreeNode>& nodes() const { return nodes_; }
+
+ private:
+  std::vector<QuadtreeNode> nodes_;
+};
+
+// Sums over the cells of a quadtree.
+class DirectionalSums {
+ public:
+  // One cell per quarter of the square.
+  DirectionalSums() : nodes_(1) {}
+  explicit DirectionalSums(std::vector<QuadtreeNode> nodes) : nodes_(std::move(nodes)) {}
+
+  // Adds a value to the cell of a point.
+  void add(Vec2 p, float value) {
+    for (QuadtreeNode* node = nodes_.data();;) {
+      const size_t quarter = QuadtreeNode::descend(p);
+      if (node->child[quarter] == 0) {
+        node->values[quarter] += value;
+        return;
+      }
+      node = &nodes_[node->child[quarter]];
+    }
+  }
+
+  // The distribution that the sums of so many records of equal weight support: cells with few records are joined, and
+  // every quarter of a cell counts one record more, so that the density is positive.
+  DirectionalDistribution distribution(float records) const;
+
+  const std::vector<QuadtreeNode>& nodes() const { return nodes_; }
+
+ private:
+  std::vector<QuadtreeNode> nodes_;
 };
 
 }  // namespace etendue::guiding

@@ -16,13 +16,16 @@
 // learn from all samples. Pixels cannot have different sample counts, because a count that depends on samples would
 // depend on the guide.
 //
+// Russian roulette compares the light that a path is expected to find with the light that was expected at its first
+// guided vertex [Vorba and Křivánek 2016], both from what was learned.
+//
 //   Paths         E(D|G|S)*L; point lights: E.*(D|G)L
 //   Bias          none
 //   Cost          two rays per vertex; 24 bytes per vertex of a sample; up to some ten MB for the guide
 //   Limitations   The first samples are those of path tracing. Each vertex costs up to twice the time of path tracing,
 //                 which does not pay where light sampling finds most light. Point lights behind glass are never found.
 //                 Scattering media and wavelengths are not supported.
-#include <bit>
+#include <algorithm>
 #include <cmath>
 
 #include "integrator/guiding/block_records.h"
@@ -55,7 +58,7 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
-                             4,
+                             2,
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
   Number<float> fraction{
@@ -78,9 +81,11 @@ namespace {
 using guiding::BlockRecords;
 using guiding::RadianceGuide;
 
-// Regions with more records are divided; the number grows with the square root of the samples of an iteration
-// [Müller et al. 2017, sec. 3.3; Müller 2019, sec. 10.5.1].
+// Regions with more records in one iteration of n samples are divided: c sqrt(n) [Müller et al. 2017, sec. 3.3; Müller
+// 2019, sec. 10.5.1]. Of longer iterations than kFullyRecorded samples, random subsets of the paths are recorded, so that
+// the number of records grows as sqrt(n), and the bound stays.
 constexpr double kMostRecordsOfARegion = 4000;
+constexpr uint32_t kFullyRecorded = 8;
 // Of larger images, a random subset of about this many paths of each sample is recorded.
 constexpr double kMostRecordedPaths = 1 << 20;
 constexpr uint32_t kFirstIteration = 2;  // samples
@@ -93,8 +98,7 @@ class GuidedState final : public RenderState {
         columns_((context.width + PixelBlock::kWidth - 1) / PixelBlock::kWidth),
         blocks_(static_cast<size_t>(columns_ * ((context.height + PixelBlock::kHeight - 1) / PixelBlock::kHeight))),
         progress_{RadianceGuide(context.scene->bounds(), integrator.fraction == 0,
-                                integrator.fraction == 0 ? 0.5f : float{integrator.fraction})},
-        recorded_share_(static_cast<float>(kMostRecordedPaths / (double{1} * context.width * context.height))) {}
+                                integrator.fraction == 0 ? 0.5f : float{integrator.fraction})} {}
 
   // The records of the sample before are added first.
   std::vector<Phase> phases(uint32_t sample) override {
@@ -183,8 +187,8 @@ class GuidedState final : public RenderState {
   // All records of a sample have been added.
   static void end_sample(Progress& progress) {
     if (++progress.learned < progress.iteration) return;
-    progress.guide.end_iteration(
-        static_cast<uint64_t>(kMostRecordsOfARegion * std::sqrt(static_cast<double>(progress.iteration))));
+    progress.guide.end_iteration(static_cast<uint64_t>(
+        kMostRecordsOfARegion * std::sqrt(static_cast<double>(std::min(progress.iteration, kFullyRecorded)))));
     progress.learned = 0;
     progress.iteration *= 2;
   }
@@ -199,6 +203,13 @@ class GuidedState final : public RenderState {
     for (const BlockRecords& block : blocks) out.list(std::span(block.records()));
   }
 
+  // The fraction of paths that are recorded.
+  float recorded_share() const {
+    const double of_pixels = kMostRecordedPaths / (static_cast<double>(context_.width) * context_.height);
+    const double of_samples = std::sqrt(static_cast<double>(kFullyRecorded) / progress_.iteration);
+    return static_cast<float>(std::min(of_pixels, 1.0) * std::min(of_samples, 1.0));
+  }
+
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
                                       const TaskContext& task_context) {
@@ -206,7 +217,7 @@ class GuidedState final : public RenderState {
     static thread_local guiding::PathRecords<M> path_records;
     const PixelOrder order(block);
     launch_camera_paths(context_, block, order, task_context, paths);
-    path_records.begin(recorded_share_);
+    path_records.begin(recorded_share());
     estimate(paths, path_records);
     const auto rays = collect(paths, order, radiance);
     if (rays) keep_records(block, paths, path_records);
@@ -218,7 +229,7 @@ class GuidedState final : public RenderState {
                     const guiding::PathRecords<M>& path_records) {
     static thread_local std::vector<guiding::Record> records;
     records.clear();
-    path_records.collect(paths, [](const guiding::Record& record) { records.push_back(record); });
+    path_records.collect(paths, progress_.guide, [](const guiding::Record& record) { records.push_back(record); });
     blocks_[static_cast<size_t>(block.y / PixelBlock::kHeight * columns_ + block.x / PixelBlock::kWidth)].assign(
         records);
   }
@@ -247,7 +258,6 @@ class GuidedState final : public RenderState {
   const int columns_;
   std::vector<BlockRecords> blocks_;  // of the recorded sample
   Progress progress_;
-  const float recorded_share_;
   uint32_t recorded_sample_ = kNoSample, sample_ = kNoSample;
   bool learns_ = false;                              // the phase of `sample_` has not ended
   std::array<bool, BlockRecords::kGroups> added_{};  // by task of the phase

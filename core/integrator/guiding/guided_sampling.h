@@ -13,6 +13,10 @@
 
 namespace etendue::guiding {
 
+// Russian roulette ends paths whose expected radiance is below 1 / kRouletteScale of that of the whole path. The scale
+// is large, because expectations are averages over regions.
+inline constexpr float kRouletteScale = 20, kLeastSurvival = 0.3f, kMostSurvival = 0.99f;
+
 // The scattering events of the paths of one wavefront. The radiance that arrives from the sampled direction is known
 // when the paths have ended.
 template <class M>
@@ -21,7 +25,8 @@ class PathRecords {
   using Color = typename M::Color;
   struct Event {
     uint16_t path;
-    uint32_t region;
+    uint32_t region;  // of the vertex
+    Vec3 position;    // displaced
     Vec2 direction;
     float pdf;
     float difference;  // (p_g - p_b) / p
@@ -35,7 +40,10 @@ class PathRecords {
     events_.clear();
     open_ = 0;
     share_ = share;
+    expected_.fill(0);
   }
+  // The radiance that a path is expected to find from its first guided vertex on; 0: none yet.
+  float& expected_radiance(int path) { return expected_[static_cast<size_t>(path)]; }
   // `seed` is that of the path and its sample.
   bool follows(uint32_t seed) const { return share_ >= 1 || to_unit_float(mix_bits(seed)) < share_; }
   void add(const Event& event) { events_.push_back(event); }
@@ -45,7 +53,7 @@ class PathRecords {
   }
   // Calls use(record) for every event, after all paths have ended.
   template <class Use>
-  void collect(transport::PathWavefront<M>& paths, Use&& use) const {
+  void collect(transport::PathWavefront<M>& paths, const RadianceGuide& guide, Use&& use) const {
     for (const Event& e : events_) {
       const Color light = paths.state(e.path).radiance - e.before;
       float radiance = 0;
@@ -53,7 +61,8 @@ class PathRecords {
         if (e.throughput[k] > 0) radiance += std::max(light[k] / e.throughput[k], 0.0f) * (1.0f / 3);
       if (!std::isfinite(radiance)) continue;
       const float product = e.weight * radiance;
-      use(Record{e.region, e.direction, radiance / e.pdf, product * e.difference, product * sqr(e.difference)});
+      const uint32_t region = radiance > 0 ? guide.region_at(e.position) : e.region;
+      use(Record{region, e.direction, radiance / e.pdf, product * e.difference, product * sqr(e.difference)});
     }
   }
 
@@ -61,6 +70,7 @@ class PathRecords {
   std::vector<Event> events_;
   size_t open_ = 0;
   float share_ = 1;
+  std::array<float, transport::PathWavefront<M>::kCapacity> expected_{};
 };
 
 // The guide at the current hits of a wavefront.
@@ -74,8 +84,9 @@ class GuidedSampling {
 
   void begin_hits() {
     for (int i = 0; i < paths_.hit_count(); ++i) {
-      const Region& region = guide_.region(guide_.region_at(paths_.point(i).position));
       const auto hit = static_cast<size_t>(i);
+      indices_[hit] = guide_.region_at(paths_.point(i).position);
+      const Region& region = guide_.region(indices_[hit]);
       regions_[hit] = &region;
       fractions_[hit] = region.is_ready() && paths_.bsdf(i).has_non_delta_lobe() ? region.fraction : 0;
     }
@@ -114,7 +125,8 @@ class GuidedSampling {
       auto& path = paths_.state_at(i);
       path.throughput *= s.weight;
       path.eta_scale *= sqr(s.eta) * densities.gain();
-      if (roulette && !survives_roulette(paths_, i, path, paths_.random(vertex_dimension::kRoulette, i))) continue;
+      const float survival = expected_survival(i, s, densities);
+      if (roulette && !survives(i, survival)) continue;
       record_scattering(path, paths_.point(i).position, s);
       if (!s.delta) record(i, s, densities);
       paths_.continue_path(i, s.wi);
@@ -129,6 +141,29 @@ class GuidedSampling {
     // throughput and much light, so their survival probability follows from the BSDF's density.
     float gain() const { return bsdf > 0 && mixture > bsdf ? std::min(mixture / bsdf, 1e6f) : 1.0f; }
   };
+
+  // The survival probability of Russian roulette by the radiance that the path is expected to find, relative to the
+  // radiance that was expected at its first guided vertex [Vorba and Křivánek 2016]; 0 if it is not known.
+  float expected_survival(int hit, const LobeSample<Color>& s, const Densities& densities) {
+    const Region& region = *regions_[static_cast<size_t>(hit)];
+    if (s.delta || !region.is_ready()) return 0;
+    const float throughput = luminance(paths_.state_at(hit).throughput);
+    float& first = records_.expected_radiance(paths_.path_at(hit));
+    // The reflected radiance of a diffuse surface under the mean radiance of the hemisphere.
+    if (first == 0) first = throughput * densities.gain() * region.flux * (0.5f * kInvPi);
+    if (!(first > 0)) return 0;
+    return std::clamp(kRouletteScale * throughput * region.flux * densities.guide / first, kLeastSurvival,
+                      kMostSurvival);
+  }
+
+  // Russian roulette, by the throughput where the light is not known.
+  bool survives(int hit, float survival) {
+    auto& path = paths_.state_at(hit);
+    const float random = paths_.random(vertex_dimension::kRoulette, hit);
+    if (survival == 0) return transport::survives_roulette(paths_, hit, path, random);
+    path.throughput /= survival;
+    return random < survival;
+  }
 
   float guide_pdf(int hit, Vec2 direction) const {
     return regions_[static_cast<size_t>(hit)]->guide.pdf(direction) * (0.25f * kInvPi);
@@ -188,7 +223,8 @@ class GuidedSampling {
     const auto random = [seed](uint32_t k) { return to_unit_float(hash_combine(seed, k)) - 0.5f; };
     const Vec3 shift = Vec3(random(0), random(1), random(2)) * regions_[static_cast<size_t>(hit)]->size;
     records_.add({.path = static_cast<uint16_t>(paths_.path_at(hit)),
-                  .region = guide_.region_at(paths_.point(hit).position + shift),
+                  .region = indices_[static_cast<size_t>(hit)],
+                  .position = paths_.point(hit).position + shift,
                   .direction = sphere_to_square(s.wi),
                   .pdf = densities.mixture,
                   .difference = (densities.guide - densities.bsdf) / densities.mixture,
@@ -200,6 +236,7 @@ class GuidedSampling {
   transport::PathWavefront<M>& paths_;
   const RadianceGuide& guide_;
   PathRecords<M>& records_;
+  std::array<uint32_t, transport::PathWavefront<M>::kHitsAtATime> indices_{};
   std::array<const Region*, transport::PathWavefront<M>::kHitsAtATime> regions_{};
   std::array<float, transport::PathWavefront<M>::kHitsAtATime> fractions_{};
 };

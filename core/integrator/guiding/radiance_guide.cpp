@@ -10,57 +10,54 @@ namespace {
 constexpr float kCellThreshold = 0.01f;
 // The largest change of the fraction in one iteration.
 constexpr double kLargestStep = 0.3;
-constexpr double kFewRecords = 500;
+constexpr double kFewRecords = 32;
+// Regions with fewer effective records are not divided.
+constexpr double kRecordsToDivide = 64;
 
-bool read_tree(StateReader& in, DirectionalTree& tree) {
-  std::vector<DirectionalTree::Node> nodes;
-  return in.list(nodes) && tree.assign(std::move(nodes));
+// Reads a quadtree.
+template <class Tree>
+bool read_tree(StateReader& in, Tree& tree) {
+  std::vector<QuadtreeNode> nodes;
+  if (!in.list(nodes) || !is_quadtree(nodes)) return false;
+  tree = Tree(std::move(nodes));
+  return true;
 }
 
 }  // namespace
 
 RadianceGuide::RadianceGuide(const Bounds& bounds, bool learns_fraction, float fraction)
-    : corner_(0), size_(1), learns_fraction_(learns_fraction), nodes_(1), regions_(1) {
+    : learns_fraction_(learns_fraction), nodes_(1), regions_(1) {
   if (!bounds.empty()) {
-    corner_ = bounds.min;
-    size_ = bounds.max - bounds.min;
+    regions_[0].corner = bounds.min;
+    regions_[0].size = bounds.max - bounds.min;
   }
-  nodes_[0].child[0] = 0;
-  regions_[0].size = size_;
   regions_[0].fraction = fraction;
 }
 
-uint32_t RadianceGuide::region_at(const Vec3& position) const {
-  Vec3 corner = corner_, size = size_;
-  const Node* node = nodes_.data();
-  while (node->axis >= 0) {
-    size[node->axis] *= 0.5f;
-    const float middle = corner[node->axis] + size[node->axis];
-    const bool upper = position[node->axis] >= middle;
-    if (upper) corner[node->axis] = middle;
-    node = &nodes_[node->child[upper ? 1 : 0]];
-  }
-  return node->child[0];
-}
-
 void RadianceGuide::end_iteration(uint64_t most_records) {
-  for (Region& region : regions_) {
-    region.sums.sum_up();
-    if (learns_fraction_ && region.is_ready()) update_fraction(region);
-    // A region without light keeps its guide.
-    if (region.sums.total() > 0) std::swap(region.guide, region.sums);
-    region.sums = region.guide.refined(kCellThreshold);
-    region.slope = region.curvature = 0;
-  }
+  for (Region& region : regions_) update(region);
   for (uint32_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].axis < 0) divide(i, most_records);
-  for (Region& region : regions_) region.records = 0;
+  for (Region& region : regions_) {
+    region.slope = region.curvature = region.radiance = region.squares = 0;
+    region.records = 0;
+  }
+}
+
+// A region without light keeps its guide.
+void RadianceGuide::update(Region& region) const {
+  if (learns_fraction_ && region.is_ready()) update_fraction(region);
+  if (region.radiance > 0) {
+    region.guide = region.sums.distribution(static_cast<float>(region.effective_records()));
+    region.flux = static_cast<float>(region.radiance / static_cast<double>(region.records));
+  }
+  region.sums = region.guide.cells(kCellThreshold);
 }
 
 // Few records make a short step, because their sums are noisy.
 void RadianceGuide::update_fraction(Region& region) const {
   if (!(region.curvature > 0)) return;
-  const double trust = static_cast<double>(region.records) / (static_cast<double>(region.records) + kFewRecords);
+  const double records = region.effective_records(), trust = records / (records + kFewRecords);
   const double step = trust * std::clamp(region.slope / region.curvature, -kLargestStep, kLargestStep);
   region.fraction = std::clamp(region.fraction + static_cast<float>(step), kMinFraction, kMaxFraction);
 }
@@ -69,23 +66,28 @@ void RadianceGuide::update_fraction(Region& region) const {
 void RadianceGuide::divide(uint32_t node, uint64_t most_records) {
   const uint32_t index = nodes_[node].child[0];
   if (regions_[index].records <= most_records || regions_.size() >= kMaxRegions) return;
-  Region& region = regions_[index];
-  const Vec3 size = region.size;
+  if (regions_[index].effective_records() < kRecordsToDivide) return;
+  Region& lower = regions_[index];
+  const Vec3 size = lower.size;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  region.size[axis] *= 0.5f;
-  region.records /= 2;
-  const auto other = static_cast<uint32_t>(regions_.size());
-  regions_.push_back(Region(region));
-  const auto lower = static_cast<uint32_t>(nodes_.size());
-  nodes_.push_back({-1, {index, 0}});
-  nodes_.push_back({-1, {other, 0}});
-  nodes_[node] = {axis, {lower, lower + 1}};
+  lower.size[axis] *= 0.5f;
+  lower.records /= 2;
+  lower.radiance /= 2;
+  lower.squares /= 2;
+  Region upper = lower;
+  upper.corner[axis] += lower.size[axis];
+  const float middle = upper.corner[axis];
+  const auto first = static_cast<uint32_t>(nodes_.size());
+  nodes_.push_back({.child = {index, 0}});
+  nodes_.push_back({.child = {static_cast<uint32_t>(regions_.size()), 0}});
+  nodes_[node] = {axis, middle, {first, first + 1}};
+  regions_.push_back(std::move(upper));
 }
 
 size_t RadianceGuide::memory() const {
   size_t bytes = nodes_.size() * sizeof(Node) + regions_.size() * sizeof(Region);
   for (const Region& region : regions_)
-    bytes += (region.guide.nodes().size() + region.sums.nodes().size()) * sizeof(DirectionalTree::Node);
+    bytes += (region.guide.nodes().size() + region.sums.nodes().size()) * sizeof(QuadtreeNode);
   return bytes;
 }
 
@@ -98,7 +100,11 @@ void RadianceGuide::write(StateWriter& out) const {
     out.value(region.fraction);
     out.value(region.slope);
     out.value(region.curvature);
+    out.value(region.radiance);
+    out.value(region.squares);
     out.value(region.records);
+    out.value(region.flux);
+    out.value(region.corner);
     out.value(region.size);
   }
 }
@@ -116,7 +122,9 @@ bool RadianceGuide::read(StateReader& in) {
   regions_.assign(count, Region());
   for (Region& region : regions_)
     if (!read_tree(in, region.guide) || !read_tree(in, region.sums) || !in.value(region.fraction) ||
-        !in.value(region.slope) || !in.value(region.curvature) || !in.value(region.records) || !in.value(region.size))
+        !in.value(region.slope) || !in.value(region.curvature) || !in.value(region.radiance) ||
+        !in.value(region.squares) || !in.value(region.records) || !in.value(region.flux) || !in.value(region.corner) ||
+        !in.value(region.size))
       return false;
   return true;
 }

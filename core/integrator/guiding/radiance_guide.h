@@ -36,19 +36,26 @@ struct Record {
 
 // One leaf of the binary tree.
 struct Region {
-  DirectionalTree guide;  // of the last iteration
-  DirectionalTree sums;   // of this iteration
-  float fraction = 0.5f;  // of directions that are sampled by the guide
+  DirectionalDistribution guide;  // of the last iteration
+  DirectionalSums sums;           // of this iteration
+  float fraction = 0.5f;          // of directions that are sampled by the guide
   double slope = 0, curvature = 0;
+  double radiance = 0, squares = 0;  // sums over the records
   uint64_t records = 0;
-  Vec3 size{0};  // of its box, metres
+  float flux = 0;           // the integral of the radiance over all directions in the last iteration; 0: no guide
+  Vec3 corner{0}, size{0};  // of its box, metres
 
-  bool is_ready() const { return guide.total() > 0; }
+  bool is_ready() const { return flux > 0; }
+  // The number of records of equal weight that have the variance of the records.
+  double effective_records() const { return squares > 0 ? radiance * radiance / squares : 0; }
   void add(const Record& record) {
+    ++records;
+    if (record.radiance == 0) return;
     sums.add(record.direction, record.radiance);
     slope += record.slope;
     curvature += record.curvature;
-    ++records;
+    radiance += record.radiance;
+    squares += double{record.radiance} * record.radiance;
   }
 };
 
@@ -60,7 +67,11 @@ class RadianceGuide {
   // One region. `learns_fraction`: else all regions keep `fraction`.
   RadianceGuide(const Bounds& bounds, bool learns_fraction, float fraction);
 
-  uint32_t region_at(const Vec3& position) const;
+  uint32_t region_at(const Vec3& position) const {
+    const Node* node = nodes_.data();
+    while (node->axis >= 0) node = &nodes_[node->child[position[node->axis] >= node->middle ? 1 : 0]];
+    return node->child[0];
+  }
   const Region& region(uint32_t index) const { return regions_[index]; }
   size_t region_count() const { return regions_.size(); }
 
@@ -81,12 +92,13 @@ class RadianceGuide {
   // Divides its box in the middle of `axis`, or is a leaf, whose region is child[0].
   struct Node {
     int32_t axis = -1;
+    float middle = 0;
     std::array<uint32_t, 2> child{};
   };
   void divide(uint32_t node, uint64_t most_records);
+  void update(Region& region) const;
   void update_fraction(Region& region) const;
 
-  Vec3 corner_, size_;  // of the box of the tree
   bool learns_fraction_;
   std::vector<Node> nodes_;
   std::vector<Region> regions_;
