@@ -89,6 +89,9 @@ constexpr uint32_t kFullyRecorded = 8;
 // Of larger images, a random subset of about this many paths of each sample is recorded.
 constexpr double kMostRecordedPaths = 1 << 20;
 constexpr uint32_t kFirstIteration = 2;  // samples
+// The guided fraction until it is learned. It is small, because the weights of a path whose guide is poor have a variance
+// that grows exponentially with its length.
+constexpr float kFirstFraction = 0.25f;
 
 class GuidedState final : public RenderState {
  public:
@@ -98,7 +101,7 @@ class GuidedState final : public RenderState {
         columns_((context.width + PixelBlock::kWidth - 1) / PixelBlock::kWidth),
         blocks_(static_cast<size_t>(columns_ * ((context.height + PixelBlock::kHeight - 1) / PixelBlock::kHeight))),
         progress_{RadianceGuide(context.scene->bounds(), integrator.fraction == 0,
-                                integrator.fraction == 0 ? 0.5f : float{integrator.fraction})} {}
+                                integrator.fraction == 0 ? kFirstFraction : float{integrator.fraction})} {}
 
   // The records of the sample before are added first.
   std::vector<Phase> phases(uint32_t sample) override {

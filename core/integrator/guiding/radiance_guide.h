@@ -38,7 +38,7 @@ struct Record {
 struct Region {
   DirectionalDistribution guide;  // of the last iteration
   DirectionalSums sums;           // of this iteration
-  float fraction = 0.5f;          // of directions that are sampled by the guide
+  float fraction = 0;             // of directions that are sampled by the guide
   double slope = 0, curvature = 0;
   double radiance = 0, squares = 0;  // sums over the records
   uint64_t records = 0;

@@ -16,7 +16,10 @@ using guiding::DirectionalSums;
 using guiding::RadianceGuide;
 using guiding::Record;
 
-Vec2 random_point(uint32_t k) { return {to_unit_float(hash_combine(1, k)), to_unit_float(hash_combine(2, k))}; }
+Vec2 random_point(uint32_t k) {
+  const uint64_t bits = mix_bits(uint64_t{k} * 0x9e3779b97f4a7c15ULL + 1);
+  return {to_unit_float(static_cast<uint32_t>(bits)), to_unit_float(static_cast<uint32_t>(bits >> 32))};
+}
 
 // Distributions with cells of many sizes, of a narrow peak, a wide one and a constant.
 std::vector<DirectionalDistribution> distributions_with_peaks() {
@@ -66,7 +69,7 @@ TEST(DirectionalTree, SamplesHaveTheDensity) {
     uint32_t k = 0;
     const auto sample = [&](Vec3& w) { return w = square_to_sphere(d.sample(random_point(k++ + 500'000))), true; };
     const auto pdf = [&](const Vec3& w) { return double{d.pdf(guiding::sphere_to_square(w))} / (4 * double{kPi}); };
-    const test::ChiSquare result = test::chi_square_on_sphere(sample, pdf, 200'000);
+    const test::ChiSquare result = test::chi_square_on_sphere(sample, pdf, 500'000);
     EXPECT_GT(result.p_value, 1e-3) << result.statistic << " of " << result.degrees;
     EXPECT_GT(result.degrees, 20);
   }
