@@ -21,7 +21,7 @@ findings=build/fuzz/findings
 targets="path 10 256
 ies 5 2048
 nvdb 2 1048576
-hdr 13 4096
+hdr 12 4096
 png 15 4096
 jpeg 13 4096
 webp 10 4096
@@ -29,6 +29,7 @@ brdf 13 4096
 exr 2 8192
 script 5 4096
 state 2 4096
+part 1 8192
 glb 4 32768
 gltf 6 32768"
 

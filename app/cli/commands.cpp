@@ -26,6 +26,8 @@
   ENTRY(manual)                 \
   ENTRY(stress)                 \
   ENTRY(lab)                    \
+  ENTRY(pattern)                \
+  ENTRY(figure)                 \
   ENTRY(completion)             \
   ENTRY(view)
 // clang-format on

@@ -45,29 +45,13 @@ int list_experiments(bool as_json) {
   return 0;
 }
 
-Result<std::vector<Setting>> parse_settings(const experiments::Experiment& experiment,
-                                            const std::vector<std::string>& texts) {
-  std::vector<Setting> settings;
-  for (const std::string& text : texts) {
-    const auto setting = split_setting(text);
-    if (!setting) return setting.error();
-    const ParameterInfo* info = find_parameter(experiment.parameters, setting->name);
-    if (!info)
-      return usage_error("the experiment '" + std::string(experiment.description.name) + "' has no parameter '" +
-                         setting->name + "'; see etendue list experiments");
-    auto value = parse_value(*info, setting->value);
-    if (!value) return value.error();
-    settings.push_back({setting->name, *value});
-  }
-  return settings;
-}
-
 int run_lab(const LabArguments& a) {
   if (a.experiment.empty()) return list_experiments(a.json);
   const experiments::Experiment* experiment = experiments::find_experiment(a.experiment);
   if (!experiment)
     return fail(usage_error("there is no experiment '" + a.experiment + "'; give one of " + experiment_names()));
-  const auto settings = parse_settings(*experiment, a.settings);
+  const auto settings = parse_settings(a.settings, experiment->parameters, "the experiment '" + a.experiment + "'",
+                                       "etendue list experiments");
   if (!settings) return fail(settings.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
   const auto result =

@@ -7,6 +7,7 @@
 #include "bsdf/bsdf_model.h"
 #include "experiments/experiment.h"
 #include "experiments/experiment_output.h"
+#include "figures/composition.h"
 #include "film/film_image.h"
 #include "image/display.h"
 #include "image/image.h"
@@ -25,7 +26,7 @@
 namespace etendue::cli {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 180, kStressSize = 96;
+constexpr int kWidth = 240, kHeight = 180, kStressSize = 96, kFigureWidth = 220;
 
 class ImageWriter {
  public:
@@ -265,6 +266,17 @@ Result<void> write_experiments(const ImageWriter& out) {
   return {};
 }
 
+Result<void> write_figures(const ImageWriter& out) {
+  for (const figures::Figure& figure : figures::figures()) {
+    if (out.is_kept("figure", figure.number)) continue;
+    const auto parts = figure.make({.threads = out.threads(), .width = kFigureWidth});
+    if (!parts) return parts.error();
+    const figures::Picture picture = figures::rasterized(figures::composed(*parts, figure.columns));
+    if (auto ok = out.write("figure", figure.number, picture.width, picture.height, picture.pixels); !ok) return ok;
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> write_manual_images(const std::filesystem::path& folder, int threads, bool only_missing) {
@@ -272,7 +284,7 @@ Result<void> write_manual_images(const std::filesystem::path& folder, int thread
   std::filesystem::create_directories(folder, error);
   const ImageWriter out(folder, threads, only_missing);
   for (const auto write : {write_integrators, write_samplers, write_surfaces, write_lights, write_environments,
-                           write_scenes_and_cameras, write_experiments})
+                           write_scenes_and_cameras, write_experiments, write_figures})
     if (auto ok = write(out); !ok) return ok;
   for (const auto& c : stress::cases())
     if (auto ok = write_stress_case(out, c); !ok) return ok;

@@ -7,6 +7,7 @@
 #include "bsdf/bsdf_model.h"
 #include "command.h"
 #include "experiments/experiment.h"
+#include "figures/figure.h"
 #include "integrator/integrator.h"
 #include "light/environments/builtin_environment.h"
 #include "light/light.h"
@@ -313,6 +314,53 @@ ManualPage experiment_page(const SourceFiles& sources, const experiments::Experi
               source_line(sources, d.file)};
 }
 
+// ---- Figures
+
+std::string chapter_of(std::string_view figure_number) {
+  return std::string(figure_number.substr(0, figure_number.find('.')));
+}
+
+std::string figure_section(const figures::Figure& figure) {
+  const std::string heading = std::string(figure.number) + " " + figure.title;
+  return "## " + heading + "\n\n" + image("figure", figure.number, heading) +
+         (*figure.note != '\0' ? markdown_prose(figure.note, kReferences) + "\n\n" : "");
+}
+
+// The figures of a chapter that are not made, by reason.
+std::string missing_figures(const std::string& chapter) {
+  std::string text;
+  for (const auto reason :
+       {figures::Reason::open, figures::Reason::artwork, figures::Reason::pseudocode, figures::Reason::diagram}) {
+    std::string numbers;
+    for (const auto& figure : figures::not_made())
+      if (figure.reason == reason && chapter_of(figure.number) == chapter)
+        numbers += (numbers.empty() ? "" : ", ") + std::string(figure.number);
+    if (!numbers.empty()) text += "| " + numbers + " | " + figures::explanation(reason) + " |\n";
+  }
+  return text.empty() ? "" : "## Figures that are not made\n\n| Figures | Reason |\n|---|---|\n" + text + "\n";
+}
+
+std::vector<ManualPage> figure_pages() {
+  std::vector<ManualPage> pages;
+  std::vector<std::string> chapters;
+  const auto add_chapter = [&](std::string_view number) {
+    if (std::ranges::count(chapters, chapter_of(number)) == 0) chapters.push_back(chapter_of(number));
+  };
+  for (const auto& figure : figures::figures()) add_chapter(figure.number);
+  for (const auto& figure : figures::not_made()) add_chapter(figure.number);
+  for (const std::string& chapter : chapters) {
+    const bool is_appendix = chapter == "A";
+    std::string text = title(is_appendix ? "Figures of the appendix" : "Figures of chapter " + chapter,
+                             "The figures of [Lang] that the program makes");
+    text += "`etendue figure NUMBER` makes a figure, `etendue figure --all --out FOLDER` all of them.\n\n";
+    for (const auto& figure : figures::figures())
+      if (chapter_of(figure.number) == chapter) text += figure_section(figure);
+    pages.push_back({"figures/" + (is_appendix ? std::string("appendix") : "chapter-" + chapter) + ".md",
+                     text + missing_figures(chapter)});
+  }
+  return pages;
+}
+
 // ---- Command line
 
 std::string bounds_text(const CommandOption& option) {
@@ -355,7 +403,8 @@ constexpr Chapter kChapters[] = {{"integrators", "Integrators"},
                                  {"cameras", "Cameras"},
                                  {"scenes", "Built-in scenes"},
                                  {"stress", "Stability cases"},
-                                 {"experiments", "Experiments"}};
+                                 {"experiments", "Experiments"},
+                                 {"figures", "Figures"}};
 
 // The title of a page and the paragraph below it.
 std::string index_line(const ManualPage& page) {
@@ -397,6 +446,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   for (const auto& builtin : scene::builtins()) pages.push_back(scene_page(builtin));
   for (const auto& c : stress::cases()) pages.push_back(stress_page(sources, c));
   for (const auto& e : experiments::experiments()) pages.push_back(experiment_page(sources, e));
+  std::ranges::move(figure_pages(), std::back_inserter(pages));
   pages.push_back(index_page(pages));
   pages.push_back(command_line_page());
   pages.push_back({"etendue.1", man_page()});

@@ -95,8 +95,8 @@ Result<void> write_results(render::Session& session, const render::Document& doc
                                                        .choice = choice}));
 }
 
-Result<void> write_statistics(const std::string& file, const std::string& json) {
-  const std::string text = json + "\n";
+Result<void> write_statistics(const std::string& file, const std::string& statistics) {
+  const std::string text = statistics + "\n";
   if (file != "-") return write_file(file, text.data(), text.size());
   std::fputs(text.c_str(), stdout);
   return {};

@@ -119,6 +119,22 @@ Result<SettingText> split_setting(const std::string& text) {
   return SettingText{text.substr(0, equals), text.substr(equals + 1)};
 }
 
+Result<std::vector<Setting>> parse_settings(const std::vector<std::string>& texts,
+                                            std::span<const ParameterInfo> parameters, const std::string& owner,
+                                            const std::string& list_command) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) {
+    const auto setting = split_setting(text);
+    if (!setting) return setting.error();
+    const ParameterInfo* info = find_parameter(parameters, setting->name);
+    if (!info) return usage_error(owner + " has no parameter '" + setting->name + "'; see " + list_command);
+    auto value = parse_value(*info, setting->value);
+    if (!value) return value.error();
+    settings.push_back({setting->name, *value});
+  }
+  return settings;
+}
+
 Result<void> set_parameters(render::Document& document, const std::vector<std::string>& settings) {
   for (const auto& text : settings) {
     const auto setting = split_setting(text);

@@ -1,5 +1,6 @@
 // Options that many subcommands share: the scene, its settings, the seed and the number of threads.
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ struct SettingText {
   std::string name, value;
 };
 Result<SettingText> split_setting(const std::string& text);
+// Texts "NAME=VALUE" as values of these parameters. Errors name their owner, "the sampler 'halton'", and the command
+// that lists them.
+Result<std::vector<Setting>> parse_settings(const std::vector<std::string>& texts,
+                                            std::span<const ParameterInfo> parameters, const std::string& owner,
+                                            const std::string& list_command);
 
 // The size in a text like "1280x720". A size that an image cannot have is a usage error.
 Result<Vec2i> parse_size(const std::string& text);

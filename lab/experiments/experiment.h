@@ -25,6 +25,7 @@
 #include "base/result.h"
 #include "metrics/convergence.h"
 #include "metrics/function_chart.h"
+#include "metrics/matrix_chart.h"
 
 namespace etendue::experiments {
 
@@ -38,7 +39,7 @@ struct ErrorChart {
   std::vector<metrics::MethodCurves> curves;
 };
 
-using Chart = std::variant<ErrorChart, metrics::FunctionChart>;
+using Chart = std::variant<ErrorChart, metrics::FunctionChart, metrics::MatrixChart>;
 
 struct Table {
   using Cell = std::variant<double, std::string>;

@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/number_text.h"
 #include "image/image.h"
+#include "metrics/drawing_layout.h"
 
 namespace etendue::experiments {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using metrics::ErrorCurve;
 using metrics::FunctionChart;
 using metrics::FunctionCurve;
+using metrics::MatrixChart;
 using metrics::MethodCurves;
 using nlohmann::json;
 
@@ -66,23 +68,47 @@ json points_json(const std::vector<CurveRow>& rows) {
   return points;
 }
 
-json chart_json(const Chart& chart) {
-  return std::visit(
-      [](const auto& c) {
-        json curves = json::array();
-        for (const auto& curve : c.curves)
-          curves.push_back({{"name", curve.name}, {"points", points_json(rows_of(curve))}});
-        json j{{"title", c.title}, {"curves", curves}};
-        if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ErrorChart>) {
-          j["x"] = c.work;
-          j["y"] = c.error;
-        } else {
-          j["x"] = c.x_label;
-          j["y"] = c.y_label;
-        }
-        return j;
-      },
-      chart);
+template <class Curves>
+json curves_json(const Curves& curves) {
+  json list = json::array();
+  for (const auto& curve : curves) list.push_back({{"name", curve.name}, {"points", points_json(rows_of(curve))}});
+  return list;
+}
+
+json chart_json(const ErrorChart& c) {
+  return {{"title", c.title}, {"curves", curves_json(c.curves)}, {"x", c.work}, {"y", c.error}};
+}
+json chart_json(const FunctionChart& c) {
+  return {{"title", c.title}, {"curves", curves_json(c.curves)}, {"x", c.x_label}, {"y", c.y_label}};
+}
+json chart_json(const MatrixChart& c) {
+  json rows = json::array();
+  for (const auto& row : c.rows) {
+    rows.push_back(json::array());
+    for (const double value : row) rows.back().push_back(finite_json(value));
+  }
+  return {{"title", c.title}, {"rows", rows}, {"x", c.x_label}, {"y", c.y_label}};
+}
+
+std::string csv_line(const std::string& chart, const std::string& curve, const CurveRow& r) {
+  return quoted(chart) + "," + quoted(curve) + "," + std::to_string(r.repeat) + "," + csv_number(r.x) + "," +
+         csv_number(r.y) + "," + csv_number(r.low) + "," + csv_number(r.high) + "\n";
+}
+
+template <class ChartOfCurves>
+std::string csv_of(const ChartOfCurves& chart) {
+  std::string text;
+  for (const auto& curve : chart.curves)
+    for (const CurveRow& r : rows_of(curve)) text += csv_line(chart.title, curve.name, r);
+  return text;
+}
+// The rows of a matrix are curves.
+std::string csv_of(const MatrixChart& chart) {
+  std::string text;
+  for (size_t i = 0; i < chart.rows.size(); ++i)
+    for (size_t j = 0; j < chart.rows[i].size(); ++j)
+      text += csv_line(chart.title, "row " + std::to_string(i), {.x = static_cast<double>(j), .y = chart.rows[i][j]});
+  return text;
 }
 
 json table_json(const Table& table) {
@@ -154,6 +180,7 @@ const std::string& title_of(const Chart& chart) {
 
 metrics::Drawing drawing_of(const Chart& chart, const metrics::ChartOptions& options) {
   if (const auto* function = std::get_if<FunctionChart>(&chart)) return metrics::function_drawing(*function, options);
+  if (const auto* matrix = std::get_if<MatrixChart>(&chart)) return metrics::matrix_drawing(*matrix, options);
   const auto& error = std::get<ErrorChart>(chart);
   metrics::ChartOptions error_options = options;
   error_options.title = error.title;
@@ -171,7 +198,8 @@ metrics::Drawing drawing_of(const ExperimentResult& result, const metrics::Chart
 
 json to_json(const ExperimentResult& result) {
   json charts = json::array(), checks = json::array();
-  for (const Chart& chart : result.charts) charts.push_back(chart_json(chart));
+  for (const Chart& chart : result.charts)
+    charts.push_back(std::visit([](const auto& c) { return chart_json(c); }, chart));
   for (const Check& c : result.checks)
     checks.push_back({{"name", c.name},
                       {"measured", finite_json(c.measured)},
@@ -183,16 +211,7 @@ json to_json(const ExperimentResult& result) {
 
 std::string to_csv(const ExperimentResult& result) {
   std::string text = "chart,curve,repeat,x,y,low,high\n";
-  for (const Chart& chart : result.charts)
-    std::visit(
-        [&](const auto& c) {
-          for (const auto& curve : c.curves)
-            for (const CurveRow& r : rows_of(curve))
-              text += quoted(c.title) + "," + quoted(curve.name) + "," + std::to_string(r.repeat) + "," +
-                      csv_number(r.x) + "," + csv_number(r.y) + "," + csv_number(r.low) + "," + csv_number(r.high) +
-                      "\n";
-        },
-        chart);
+  for (const Chart& chart : result.charts) text += std::visit([](const auto& c) { return csv_of(c); }, chart);
   return text;
 }
 

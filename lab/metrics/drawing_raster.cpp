@@ -86,7 +86,9 @@ void paint(Canvas& canvas, const Polygon& polygon) {
   if (!is_finite(polygon.points)) return;
   constexpr int kLines = 4;
   std::vector<double> inside(static_cast<size_t>(canvas.width()));
-  for (int y = 0; y < canvas.height(); ++y) {
+  const auto [lowest, highest] = std::ranges::minmax(polygon.points, {}, &Point::y);
+  const auto row = [&](double y) { return static_cast<int>(std::clamp(y, 0.0, double(canvas.height()))); };
+  for (int y = row(std::floor(lowest.y)); y < row(std::ceil(highest.y)); ++y) {
     std::ranges::fill(inside, 0.0);
     for (int i = 0; i < kLines; ++i) {
       const auto xs = crossings(polygon.points, y + (i + 0.5) / kLines);

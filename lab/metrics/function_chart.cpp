@@ -200,35 +200,10 @@ class FunctionDrawing {
   Drawing drawing_;
 };
 
-void move_down(Point& point, double distance) { point.y += distance; }
-
-void move_down(Polygon& shape, double distance) {
-  for (Point& p : shape.points) move_down(p, distance);
-}
-void move_down(Polyline& shape, double distance) {
-  for (Point& p : shape.points) move_down(p, distance);
-}
-void move_down(Dot& shape, double distance) { move_down(shape.at, distance); }
-void move_down(Text& shape, double distance) { move_down(shape.at, distance); }
-
 }  // namespace
 
 Drawing function_drawing(const FunctionChart& chart, const ChartOptions& options) {
   return FunctionDrawing(chart, options).draw();
-}
-
-Drawing stacked(const std::vector<Drawing>& drawings) {
-  Drawing all;
-  for (const Drawing& drawing : drawings) {
-    for (auto shape : drawing.shapes) {
-      std::visit([&](auto& s) { move_down(s, all.height); }, shape);
-      all.shapes.push_back(std::move(shape));
-    }
-    all.width = std::max(all.width, drawing.width);
-    all.height += drawing.height;
-    all.title += (all.title.empty() ? "" : "; ") + drawing.title;
-  }
-  return all;
 }
 
 }  // namespace etendue::metrics

@@ -37,7 +37,4 @@ struct FunctionChart {
 // palette are as for convergence_chart.
 Drawing function_drawing(const FunctionChart& chart, const ChartOptions& options);
 
-// The drawings one below the other, on a canvas of the largest width.
-Drawing stacked(const std::vector<Drawing>& drawings);
-
 }  // namespace etendue::metrics

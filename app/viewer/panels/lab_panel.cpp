@@ -26,6 +26,7 @@ using experiments::ExperimentResult;
 constexpr const char* kExportExperiment = "lab.export";
 // Widths from which parts are side by side, in font sizes.
 constexpr float kControlsBeside = 48, kNumbersBeside = 60;
+constexpr float kMinChartWidth = 15, kMinChartHeight = 12;  // em
 
 metrics::Color faded(metrics::Color color, double opacity) {
   color.opacity *= opacity;
@@ -207,17 +208,25 @@ class LabPanel final : public Panel {
     state.ui.items.add("lab.table");
   }
 
-  // Side by side, each with the names of its curves below.
+  // In rows, each with the names of its curves below. More than one row scrolls.
   static void draw_charts(AppState& state, const ExperimentResult& result, const Vec2& size) {
     const float em = ImGui::GetFontSize();
-    const auto count = static_cast<float>(std::max<size_t>(1, result.charts.size()));
-    const float width = std::floor((size.x - em * (count - 1)) / count);
-    for (size_t i = 0; i < result.charts.size(); ++i) {
-      if (i > 0) ImGui::SameLine(0, em);
+    const auto count = static_cast<int>(result.charts.size());
+    const int columns =
+        std::clamp(static_cast<int>((size.x + em) / ((kMinChartWidth + 1) * em)), 1, std::max(count, 1));
+    const bool one_row = count <= columns;
+    const float scrollbar = one_row ? 0 : ImGui::GetStyle().ScrollbarSize;
+    const auto gaps = static_cast<float>(columns - 1);
+    const float width = std::floor((size.x - scrollbar - em * gaps) / static_cast<float>(columns));
+    const float height = one_row ? size.y : std::max(kMinChartHeight * em, 0.8f * size.y);
+    ImGui::BeginChild("##charts", {size.x, size.y}, false);
+    for (int i = 0; i < count; ++i) {
+      if (i % columns > 0) ImGui::SameLine(0, em);
       ImGui::BeginGroup();
-      draw_one_chart(state, result.charts[i], i, {width, size.y});
+      draw_one_chart(state, result.charts[static_cast<size_t>(i)], static_cast<size_t>(i), {width, height});
       ImGui::EndGroup();
     }
+    ImGui::EndChild();
   }
 
   static void draw_one_chart(AppState& state, const Chart& chart, size_t index, const Vec2& size) {
@@ -245,11 +254,11 @@ class LabPanel final : public Panel {
 
   static std::vector<std::string> curve_names(const Chart& chart) {
     std::vector<std::string> names;
-    std::visit(
-        [&](const auto& c) {
-          for (const auto& curve : c.curves) names.push_back(curve.name);
-        },
-        chart);
+    const auto add = [&](const auto& curves) {
+      for (const auto& curve : curves) names.push_back(curve.name);
+    };
+    if (const auto* function = std::get_if<metrics::FunctionChart>(&chart)) add(function->curves);
+    if (const auto* error = std::get_if<experiments::ErrorChart>(&chart)) add(error->curves);
     return names;
   }
 

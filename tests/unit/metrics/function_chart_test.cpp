@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "metrics/drawing_layout.h"
+
 namespace etendue::metrics {
 namespace {
 

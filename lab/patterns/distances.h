@@ -1,0 +1,16 @@
+// Distances between the points of a set.
+#pragma once
+#include "patterns/point_set.h"
+
+namespace etendue::patterns {
+
+// The smallest distance between two points; infinite for fewer than two. On a torus, opposite sides of the unit square
+// are joined.
+double least_distance(const PointSet& points);
+double least_toroidal_distance(const PointSet& points);
+
+// The Voronoi cell of each point: the corners, in order, of the part of the unit square that is nearer to it than to all
+// others. Time O(N^2).
+std::vector<PointSet> voronoi_cells(const PointSet& points);
+
+}  // namespace etendue::patterns
