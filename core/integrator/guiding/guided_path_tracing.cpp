@@ -81,9 +81,9 @@ namespace {
 using guiding::BlockRecords;
 using guiding::RadianceGuide;
 
-// Regions with more records in one iteration of n samples are divided: c sqrt(n) [Müller et al. 2017, sec. 3.3; Müller
-// 2019, sec. 10.5.1]. Of longer iterations than kFullyRecorded samples, random subsets of the paths are recorded, so that
-// the number of records grows as sqrt(n), and the bound stays.
+// Regions with more than c sqrt(n) records in an iteration of n samples are divided [Müller et al. 2017]. Of iterations
+// longer than kFullyRecorded samples, random subsets of the paths are recorded, so that the number of records grows as
+// sqrt(n), and the bound stays.
 constexpr double kMostRecordsOfARegion = 4000;
 constexpr uint32_t kFullyRecorded = 8;
 // Of larger images, a random subset of about this many paths of each sample is recorded.
@@ -93,6 +93,14 @@ constexpr uint32_t kFirstIteration = 2;  // samples
 // that grows exponentially with its length.
 constexpr float kFirstFraction = 0.25f;
 
+RadianceGuide initial_guide(const GuidedPathTracing& integrator, const scene::CompiledScene& scene) {
+  const auto& bounds = scene.bounds();
+  const Vec3 size = bounds.empty() ? Vec3(0) : bounds.max - bounds.min;
+  const bool learns_fraction = integrator.fraction == 0;
+  return {bounds.empty() ? Vec3(0) : bounds.min, size, learns_fraction,
+          learns_fraction ? kFirstFraction : float{integrator.fraction}};
+}
+
 class GuidedState final : public RenderState {
  public:
   GuidedState(const GuidedPathTracing& integrator, const RenderContext& context)
@@ -100,8 +108,7 @@ class GuidedState final : public RenderState {
         context_(context),
         columns_((context.width + PixelBlock::kWidth - 1) / PixelBlock::kWidth),
         blocks_(static_cast<size_t>(columns_ * ((context.height + PixelBlock::kHeight - 1) / PixelBlock::kHeight))),
-        progress_{RadianceGuide(context.scene->bounds(), integrator.fraction == 0,
-                                integrator.fraction == 0 ? kFirstFraction : float{integrator.fraction})} {}
+        progress_{initial_guide(integrator, *context.scene)} {}
 
   // The records of the sample before are added first.
   std::vector<Phase> phases(uint32_t sample) override {

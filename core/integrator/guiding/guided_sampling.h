@@ -214,7 +214,7 @@ class GuidedSampling {
   }
 
   // Records the event in the region of a point that is displaced at random within a box of the size of the vertex's
-  // region, so that regions have no visible boundaries [Müller 2019, sec. 10.5.1].
+  // region, so that regions have no visible boundaries [Müller 2019].
   void record(int hit, const LobeSample<Color>& s, const Densities& densities) {
     const auto& path = paths_.state_at(hit);
     const uint32_t path_and_sample = path_seed(path.seed, paths_.sample());

@@ -6,7 +6,7 @@
 namespace etendue::guiding {
 namespace {
 
-// Cells of directions that hold a larger fraction of the radiance are divided [Müller et al. 2017, sec. 3.2].
+// Cells of directions that hold a larger fraction of the radiance are divided [Müller et al. 2017].
 constexpr float kCellThreshold = 0.01f;
 // The largest change of the fraction in one iteration.
 constexpr double kLargestStep = 0.3;
@@ -25,12 +25,10 @@ bool read_tree(StateReader& in, Tree& tree) {
 
 }  // namespace
 
-RadianceGuide::RadianceGuide(const Bounds& bounds, bool learns_fraction, float fraction)
+RadianceGuide::RadianceGuide(const Vec3& corner, const Vec3& size, bool learns_fraction, float fraction)
     : learns_fraction_(learns_fraction), nodes_(1), regions_(1) {
-  if (!bounds.empty()) {
-    regions_[0].corner = bounds.min;
-    regions_[0].size = bounds.max - bounds.min;
-  }
+  regions_[0].corner = corner;
+  regions_[0].size = size;
   regions_[0].fraction = fraction;
 }
 

@@ -5,7 +5,7 @@
 // iteration, the sums of each region become its distribution, and both trees are refined for the next iteration. The
 // result depends on the order of the records within each region only.
 //
-// Each region also learns the fraction c of directions that are sampled by the guide [Müller 2019, sec. 10.5.2]. The
+// Each region also learns the fraction c of directions that are sampled by the guide [Müller 2019]. The
 // density of the mixture is p = (1 - c) p_b + c p_g. The Kullback-Leibler divergence to the integrand f_s L cos has the
 // derivative and the second derivative
 //
@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "base/state_bytes.h"
-#include "geometry/mesh.h"
 #include "integrator/guiding/directional_tree.h"
 
 namespace etendue::guiding {
@@ -64,8 +63,8 @@ class RadianceGuide {
   // Bounds of the learned fraction: it must stay below one, because the guide has no density where it has seen no light.
   static constexpr float kMinFraction = 0.05f, kMaxFraction = 0.9f;
 
-  // One region. `learns_fraction`: else all regions keep `fraction`.
-  RadianceGuide(const Bounds& bounds, bool learns_fraction, float fraction);
+  // One region, a box with this lower corner. `learns_fraction`: else all regions keep `fraction`.
+  RadianceGuide(const Vec3& corner, const Vec3& size, bool learns_fraction, float fraction);
 
   uint32_t region_at(const Vec3& position) const {
     const Node* node = nodes_.data();

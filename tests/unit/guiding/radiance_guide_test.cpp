@@ -106,7 +106,7 @@ void learn(RadianceGuide& guide, int iterations, uint32_t count, float slope = 0
   }
 }
 
-RadianceGuide empty_guide() { return RadianceGuide({Vec3(-2, 0, 0), Vec3(2, 1, 1)}, true, 0.5f); }
+RadianceGuide empty_guide() { return {Vec3(-2, 0, 0), Vec3(4, 1, 1), true, 0.5f}; }
 
 TEST(RadianceGuide, LearnsWhereLightComesFrom) {
   RadianceGuide guide = empty_guide();
