@@ -14,6 +14,7 @@
   ENTRY(distribution_ray_tracing)  \
   ENTRY(pure_path_tracing)         \
   ENTRY(path_tracing)              \
+  ENTRY(guided_path_tracing)       \
   ENTRY(pure_light_tracing)        \
   ENTRY(light_tracing)             \
   ENTRY(bdpt)                      \

@@ -1,0 +1,244 @@
+// Sampling of directions by a mixture of the BSDF and a guide, and the records from which the guide learns.
+//
+//   p(w) = (1 - c) p_b(w) + c p_g(w)
+//
+// One direction is sampled per vertex, from one of the two densities, and weighted by f_s |cos| / p. Deltas are sampled
+// by the BSDF alone; their probability is (1 - c) times that of the BSDF.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "integrator/guiding/radiance_guide.h"
+#include "transport/wavefront/path_estimators.h"
+
+namespace etendue::guiding {
+
+// Russian roulette ends paths whose expected radiance is below 1 / kRouletteScale of that of the whole path. The scale
+// is large, because expectations are averages over regions.
+inline constexpr float kRouletteScale = 20, kLeastSurvival = 0.3f, kMostSurvival = 0.99f;
+
+// The scattering events of the paths of one wavefront. The radiance that arrives from the sampled direction is known
+// when the paths have ended.
+template <class M>
+class PathRecords {
+ public:
+  using Color = typename M::Color;
+  struct Event {
+    uint16_t path;
+    uint32_t region;  // of the vertex
+    Vec3 position;    // displaced
+    Vec2 direction;
+    float pdf;
+    float difference;  // (p_g - p_b) / p
+    float weight;      // luminance of f_s cos / p
+    Color throughput;  // after the event
+    Color before;      // radiance of the path without light from the direction
+  };
+
+  // Records a random fraction `share` of the paths.
+  void begin(float share) {
+    events_.clear();
+    open_ = 0;
+    share_ = share;
+    expected_.fill(0);
+  }
+  // The radiance that a path is expected to find from its first guided vertex on; 0: none yet.
+  float& expected_radiance(int path) { return expected_[static_cast<size_t>(path)]; }
+  // `seed` is that of the path and its sample.
+  bool follows(uint32_t seed) const { return share_ >= 1 || to_unit_float(mix_bits(seed)) < share_; }
+  void add(const Event& event) { events_.push_back(event); }
+  // To be called after the direct light of the last vertices has been added, and before any other contribution.
+  void separate_direct_light(transport::PathWavefront<M>& paths) {
+    for (; open_ < events_.size(); ++open_) events_[open_].before = paths.state(events_[open_].path).radiance;
+  }
+  // Calls use(record) for every event, after all paths have ended.
+  template <class Use>
+  void collect(transport::PathWavefront<M>& paths, const RadianceGuide& guide, Use&& use) const {
+    for (const Event& e : events_) {
+      const Color light = paths.state(e.path).radiance - e.before;
+      float radiance = 0;
+      for (int k = 0; k < 3; ++k)
+        if (e.throughput[k] > 0) radiance += std::max(light[k] / e.throughput[k], 0.0f) * (1.0f / 3);
+      if (!std::isfinite(radiance)) continue;
+      const float product = e.weight * radiance;
+      const uint32_t region = radiance > 0 ? guide.region_at(e.position) : e.region;
+      use(Record{region, e.direction, radiance / e.pdf, product * e.difference, product * sqr(e.difference)});
+    }
+  }
+
+ private:
+  std::vector<Event> events_;
+  size_t open_ = 0;
+  float share_ = 1;
+  std::array<float, transport::PathWavefront<M>::kCapacity> expected_{};
+};
+
+// The guide at the current hits of a wavefront.
+template <class M>
+class GuidedSampling {
+ public:
+  using Color = typename M::Color;
+
+  GuidedSampling(transport::PathWavefront<M>& paths, const RadianceGuide& guide, PathRecords<M>& records)
+      : paths_(paths), guide_(guide), records_(records) {}
+
+  void begin_hits() {
+    for (int i = 0; i < paths_.hit_count(); ++i) {
+      const auto hit = static_cast<size_t>(i);
+      indices_[hit] = guide_.region_at(paths_.point(i).position);
+      const Region& region = guide_.region(indices_[hit]);
+      regions_[hit] = &region;
+      fractions_[hit] = region.is_ready() && paths_.bsdf(i).has_non_delta_lobe() ? region.fraction : 0;
+    }
+  }
+
+  // The density of the mixture, where the BSDF has `bsdf_pdf`.
+  float pdf(int hit, const Vec3& wi, float bsdf_pdf) const {
+    const float fraction = fractions_[static_cast<size_t>(hit)];
+    if (fraction == 0) return bsdf_pdf;
+    return (1 - fraction) * bsdf_pdf + fraction * guide_pdf(hit, sphere_to_square(wi));
+  }
+
+  void add_direct_light(LightSampling sampling) {
+    using namespace transport;
+    const LightTable& lights = paths_.scene().lights();
+    if (lights.empty(sampling)) return;
+    if (sampling.strategy != LightStrategy::every) return add_light_samples(paths_.sample_lights(sampling));
+    for (size_t source = 0; source < lights.source_count(sampling); ++source) {
+      paths_.reserve_connections();
+      add_light_samples(paths_.sample_source(source, sampling));
+    }
+    paths_.select_rng_stream(0);
+  }
+
+  // Samples the next direction of every current path, as transport::sample_bsdf does.
+  void sample_directions(int roulette_start) {
+    using namespace transport;
+    const bool roulette = paths_.length() >= roulette_start;
+    paths_.draw_lobes();
+    paths_.draw(dimensions(vertex_dimension::kBsdfLobe, 1) |
+                (roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0));
+    for (int i = 0; i < paths_.hit_count(); ++i) {
+      LobeSample<Color> s;
+      Densities densities;
+      if (!sample(i, s, densities) || !AcceptAll()(paths_, i, s)) continue;
+      auto& path = paths_.state_at(i);
+      path.throughput *= s.weight;
+      path.eta_scale *= sqr(s.eta) * densities.gain();
+      const float survival = expected_survival(i, s, densities);
+      if (roulette && !survives(i, survival)) continue;
+      record_scattering(path, paths_.point(i).position, s);
+      if (!s.delta) record(i, s, densities);
+      paths_.continue_path(i, s.wi);
+    }
+  }
+
+ private:
+  struct Densities {
+    float mixture = 0, bsdf = 0, guide = 0;
+
+    // Russian roulette estimates the remaining light by the throughput. Directions that the guide prefers have a small
+    // throughput and much light, so their survival probability follows from the BSDF's density.
+    float gain() const { return bsdf > 0 && mixture > bsdf ? std::min(mixture / bsdf, 1e6f) : 1.0f; }
+  };
+
+  // The survival probability of Russian roulette by the radiance that the path is expected to find, relative to the
+  // radiance that was expected at its first guided vertex [Vorba and Křivánek 2016]; 0 if it is not known.
+  float expected_survival(int hit, const LobeSample<Color>& s, const Densities& densities) {
+    const Region& region = *regions_[static_cast<size_t>(hit)];
+    if (s.delta || !region.is_ready()) return 0;
+    const float throughput = luminance(paths_.state_at(hit).throughput);
+    float& first = records_.expected_radiance(paths_.path_at(hit));
+    // The reflected radiance of a diffuse surface under the mean radiance of the hemisphere.
+    if (first == 0) first = throughput * densities.gain() * region.flux * (0.5f * kInvPi);
+    if (!(first > 0)) return 0;
+    return std::clamp(kRouletteScale * throughput * region.flux * densities.guide / first, kLeastSurvival,
+                      kMostSurvival);
+  }
+
+  // Russian roulette, by the throughput where the light is not known.
+  bool survives(int hit, float survival) {
+    auto& path = paths_.state_at(hit);
+    const float random = paths_.random(vertex_dimension::kRoulette, hit);
+    if (survival == 0) return transport::survives_roulette(paths_, hit, path, random);
+    path.throughput /= survival;
+    return random < survival;
+  }
+
+  float guide_pdf(int hit, Vec2 direction) const {
+    return regions_[static_cast<size_t>(hit)]->guide.pdf(direction) * (0.25f * kInvPi);
+  }
+
+  void add_light_samples(std::span<const LightSample> samples) {
+    using namespace transport;
+    add_light_samples_weighted(
+        paths_, samples, Shadows::cast, [&](int i, const LightSample& light, const auto& scattered) {
+          if (light.delta) return 1 / light.pdf;
+          return mis_weight_over_pdf(MisHeuristic::power, light.pdf, pdf(i, light.wi, scattered.pdf));
+        });
+  }
+
+  // False if the light is absorbed.
+  bool sample(int hit, LobeSample<Color>& s, Densities& densities) const {
+    const float fraction = fractions_[static_cast<size_t>(hit)];
+    const auto& bsdf = paths_.bsdf(hit);
+    LobeRandom random = paths_.lobe_draw(hit);
+    const float choice = paths_.random(vertex_dimension::kBsdfLobe, hit);
+    if (choice < fraction) return sample_guide(hit, random.u, s, densities);
+    random.choice = std::min((choice - fraction) / (1 - fraction), kOneMinusEpsilon);
+    if (!bsdf.sample(paths_.wo(hit), random, TransportMode::radiance, s)) return false;
+    if (s.delta) {
+      s.weight /= 1 - fraction;
+      return true;
+    }
+    densities.bsdf = s.pdf_solid_angle;
+    if (fraction > 0) densities.guide = guide_pdf(hit, sphere_to_square(s.wi));
+    densities.mixture = (1 - fraction) * densities.bsdf + fraction * densities.guide;
+    s.weight *= densities.bsdf / densities.mixture;
+    s.pdf_solid_angle = densities.mixture;
+    return true;
+  }
+
+  bool sample_guide(int hit, Vec2 u, LobeSample<Color>& s, Densities& densities) const {
+    const float fraction = fractions_[static_cast<size_t>(hit)];
+    const Vec2 direction = regions_[static_cast<size_t>(hit)]->guide.sample(u);
+    s.wi = square_to_sphere(direction);
+    const auto scattered = paths_.bsdf(hit).evaluate(paths_.wo(hit), s.wi);
+    if (is_black(scattered.f_cos)) return false;
+    densities.bsdf = scattered.pdf;
+    densities.guide = guide_pdf(hit, direction);
+    densities.mixture = (1 - fraction) * densities.bsdf + fraction * densities.guide;
+    s.weight = scattered.f_cos / densities.mixture;
+    s.pdf_solid_angle = densities.mixture;
+    return true;
+  }
+
+  // Records the event in the region of a point that is displaced at random within a box of the size of the vertex's
+  // region, so that regions have no visible boundaries [Müller 2019].
+  void record(int hit, const LobeSample<Color>& s, const Densities& densities) {
+    const auto& path = paths_.state_at(hit);
+    const uint32_t path_and_sample = path_seed(path.seed, paths_.sample());
+    if (!records_.follows(path_and_sample)) return;
+    const uint32_t seed = hash_combine(path_and_sample, static_cast<uint32_t>(paths_.length()));
+    const auto random = [seed](uint32_t k) { return to_unit_float(hash_combine(seed, k)) - 0.5f; };
+    const Vec3 shift = Vec3(random(0), random(1), random(2)) * regions_[static_cast<size_t>(hit)]->size;
+    records_.add({.path = static_cast<uint16_t>(paths_.path_at(hit)),
+                  .region = indices_[static_cast<size_t>(hit)],
+                  .position = paths_.point(hit).position + shift,
+                  .direction = sphere_to_square(s.wi),
+                  .pdf = densities.mixture,
+                  .difference = (densities.guide - densities.bsdf) / densities.mixture,
+                  .weight = luminance(s.weight),
+                  .throughput = path.throughput,
+                  .before = Color(0)});
+  }
+
+  transport::PathWavefront<M>& paths_;
+  const RadianceGuide& guide_;
+  PathRecords<M>& records_;
+  std::array<uint32_t, transport::PathWavefront<M>::kHitsAtATime> indices_{};
+  std::array<const Region*, transport::PathWavefront<M>::kHitsAtATime> regions_{};
+  std::array<float, transport::PathWavefront<M>::kHitsAtATime> fractions_{};
+};
+
+}  // namespace etendue::guiding
