@@ -100,10 +100,10 @@ json all_actions() {
 
 // "Ctrl+Shift+Z" in the notation of xdotool.
 std::string xdotool_keys(std::string label) {
-  const std::pair<const char*, const char*> names[] = {{"Ctrl+", "ctrl+"},   {"Shift+", "shift+"},  {"Alt+", "alt+"},
-                                                       {"Space", "space"},   {"Enter", "Return"},   {"Esc", "Escape"},
-                                                       {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},
-                                                       {"[", "bracketleft"}, {"]", "bracketright"}, {"?", "question"}};
+  const std::pair<const char*, const char*> names[] = {
+      {"Ctrl+", "ctrl+"}, {"Shift+", "shift+"}, {"Alt+", "alt+"},      {"Space", "space"}, {"Enter", "Return"},
+      {"Esc", "Escape"},  {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},     {"-", "minus"},
+      {"=", "equal"},     {"[", "bracketleft"}, {"]", "bracketright"}, {"?", "question"}};
   for (const auto& [from, to] : names)
     if (const size_t at = label.find(from); at != std::string::npos) label.replace(at, std::string(from).size(), to);
   const size_t key = label.rfind('+') == std::string::npos ? 0 : label.rfind('+') + 1;
