@@ -17,6 +17,11 @@ namespace etendue::guiding {
 // is large, because expectations are averages over regions.
 inline constexpr float kRouletteScale = 20, kLeastSurvival = 0.3f, kMostSurvival = 0.99f;
 
+// The first vertices of a path are guided and recorded, the others continue by the BSDF alone. A factor p_b / p of the
+// throughput is up to 1 / (1 - c), so over hundreds of vertices, as in a bright closed room, few paths would carry most of
+// the light.
+inline constexpr int kGuidedVertices = 12;
+
 // The scattering events of the paths of one wavefront. The radiance that arrives from the sampled direction is known
 // when the paths have ended.
 template <class M>
@@ -88,7 +93,9 @@ class GuidedSampling {
       indices_[hit] = guide_.region_at(paths_.point(i).position);
       const Region& region = guide_.region(indices_[hit]);
       regions_[hit] = &region;
-      fractions_[hit] = region.is_ready() && paths_.bsdf(i).has_non_delta_lobe() ? region.fraction : 0;
+      const bool is_guided =
+          paths_.length() <= kGuidedVertices && region.is_ready() && paths_.bsdf(i).has_non_delta_lobe();
+      fractions_[hit] = is_guided ? region.fraction : 0;
     }
   }
 
@@ -128,7 +135,7 @@ class GuidedSampling {
       const float survival = expected_survival(i, s, densities);
       if (roulette && !survives(i, survival)) continue;
       record_scattering(path, paths_.point(i).position, s);
-      if (!s.delta) record(i, s, densities);
+      if (!s.delta && paths_.length() <= kGuidedVertices) record(i, s, densities);
       paths_.continue_path(i, s.wi);
     }
   }
@@ -146,7 +153,7 @@ class GuidedSampling {
   // radiance that was expected at its first guided vertex [Vorba and Křivánek 2016]; 0 if it is not known.
   float expected_survival(int hit, const LobeSample<Color>& s, const Densities& densities) {
     const Region& region = *regions_[static_cast<size_t>(hit)];
-    if (s.delta || !region.is_ready()) return 0;
+    if (s.delta || fractions_[static_cast<size_t>(hit)] == 0) return 0;
     const float throughput = luminance(paths_.state_at(hit).throughput);
     float& first = records_.expected_radiance(paths_.path_at(hit));
     // The reflected radiance of a diffuse surface under the mean radiance of the hemisphere.
