@@ -6,6 +6,8 @@
 //    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w f_s L_e |cos| / p ),      p = (1 - c) p_b + c p_g
 //    beta_i = product of f_s |cos| / p over the vertices before x_i
 //
+// The first twelve vertices of a path are guided; later ones sample the BSDF.
+//
 // A binary tree divides space into regions. Each region stores the distribution p_g of directions as a quadtree, and the
 // fraction c. They are learned in iterations of 2, 4, 8, ... samples; each iteration is guided by the one before. Light
 // that next event estimation finds is left out of what is learned, as far as its MIS weights do so.
