@@ -2,76 +2,53 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/hash.h"
 #include "equations/random_numbers.h"
 #include "figures/tools.h"
 #include "metrics/log_axis.h"
 #include "patterns/discrepancy.h"
-#include "patterns/distances.h"
+#include "patterns/known_sets.h"
 #include "patterns/net_quality.h"
 #include "patterns/pattern_drawing.h"
 #include "patterns/periodogram.h"
 #include "patterns/sampler_points.h"
 #include "sampling/halton.h"
-#include "sampling/owen.h"
-#include "sampling/point_sets/hammersley.h"
-#include "sampling/point_sets/hexagonal_grid.h"
 #include "sampling/point_sets/poisson_disk.h"
-#include "sampling/point_sets/zaremba.h"
 
 namespace etendue::figures {
 
+using patterns::extreme_discrepancy;
+using patterns::halton_points;
+using patterns::hammersley_points;
+using patterns::hexagonal_grid_points;
+using patterns::mean_periodogram;
+using patterns::net_quality;
 using patterns::PlanePoint;
+using patterns::point_set;
+using patterns::PointRequest;
+using patterns::points_of;
 using patterns::PointSet;
+using patterns::regular_grid_points;
+using patterns::star_discrepancy;
+using patterns::zaremba_points;
 
 namespace {
 
-// ---- The sets without randomisation
-
-PointSet halton_set(uint32_t count, uint32_t base_x = 2, uint32_t base_y = 3) {
-  return point_set(count, [&](uint32_t i) {
-    return PlanePoint{HaltonSampler::radical_inverse(i, base_x), HaltonSampler::radical_inverse(i, base_y)};
-  });
-}
 PointSet faure_scrambled_set(uint32_t count, uint32_t base_x, uint32_t base_y) {
   const auto x = HaltonSampler::faure_permutation(base_x), y = HaltonSampler::faure_permutation(base_y);
   return point_set(count, [&](uint32_t i) {
     return PlanePoint{HaltonSampler::radical_inverse(i, x), HaltonSampler::radical_inverse(i, y)};
   });
 }
-PointSet hammersley_set(uint32_t count) {
-  return point_set(count, [&](uint32_t i) {
-    return PlanePoint{static_cast<double>(i) / count, HaltonSampler::radical_inverse(i, 2)};
-  });
-}
-PointSet zaremba_set(uint32_t count) {
-  return point_set(count, [](uint32_t i) {
-    return PlanePoint{ZarembaSampler::inverse(i, 2), ZarembaSampler::inverse(i, 3)};
-  });
-}
-PointSet regular_grid_set(uint32_t side) {
-  return point_set(side * side, [&](uint32_t i) {
-    return PlanePoint{(i % side + 0.5) / side, (i / side + 0.5) / side};
-  });
-}
-PointSet hexagonal_set(uint32_t columns) {
-  const uint32_t rows = HexagonalGridSampler::rows(columns);
-  return point_set(columns * rows, [&](uint32_t i) {
-    const uint32_t row = i / columns;
-    return PlanePoint{(i % columns + 0.25 + 0.5 * (row % 2)) / columns, (row + 0.5) / rows};
-  });
-}
-
 // Of a registered sampler, with its settings as "NAME=VALUE".
 PointSet sampler_set(const char* sampler, uint32_t count, uint64_t seed,
                      std::initializer_list<const char*> settings = {}) {
-  patterns::PointRequest request{.sampler = sampler, .count = count, .seed = seed};
+  PointRequest request{.sampler = sampler, .count = count, .seed = seed};
   for (const std::string_view text : settings) {
     const size_t sign = text.find('=');
     const ParameterInfo* info = find_parameter(find_sampler(sampler)->parameters, text.substr(0, sign));
     request.settings.push_back({info->name, *parse_value(*info, std::string(text.substr(sign + 1)))});
   }
-  return *patterns::points_of(request);
+  return *points_of(request);
 }
 
 uint32_t poisson_disk_size() {
@@ -79,7 +56,7 @@ uint32_t poisson_disk_size() {
 }
 
 std::string with_discrepancy(const std::string& text, const PointSet& set) {
-  return text + ", D* = " + metrics::short_number(patterns::star_discrepancy(set));
+  return text + ", D* = " + metrics::short_number(star_discrepancy(set));
 }
 
 Result<Parts> first_points(const char* name, PointSet (*make)(uint32_t)) {
@@ -141,19 +118,10 @@ Parts interval_parts(const PointSet& set, int least_columns, int most_columns, i
   return parts;
 }
 
-// The spectrum in a logarithmic grey scale, without the peak at the origin.
-Part spectrum_part(const std::string& name, const std::vector<PointSet>& sets, int extent = 32) {
-  const patterns::Periodogram spectrum = patterns::mean_periodogram(sets, extent);
-  const int side = 2 * extent + 1, cell = 3;
-  Picture picture{side * cell, side * cell, {}};
-  for (int row = 0; row < side * cell; ++row)
-    for (int column = 0; column < side * cell; ++column) {
-      const int kx = column / cell - extent, ky = extent - row / cell;
-      const double power = kx == 0 && ky == 0 ? 0 : spectrum.at(kx, ky);
-      const double grey = patterns::spectrum_grey(power);
-      picture.pixels.insert(picture.pixels.end(), 3, static_cast<uint8_t>(std::lround(255 * grey)));
-    }
-  return {.caption = name + ": spectrum", .content = std::move(picture)};
+Part spectrum_part(const std::string& name, const std::vector<PointSet>& sets) {
+  constexpr int kExtent = 32, kSize = 195;
+  return {.caption = name + ": spectrum",
+          .content = patterns::spectrum_drawing(mean_periodogram(sets, kExtent), kSize)};
 }
 
 // Point sets in the first row, their spectra in the second. Random sets have the mean spectrum of several.
@@ -223,8 +191,8 @@ Figure figure_7_1() {
   return {.title = "Regular grid, hexagonal grid and Poisson pattern of 64 points",
           .note = "The hexagonal grid has 80 points: 8 per row in an even number of rows.",
           .make = [](const MakeContext& context) -> Result<Parts> {
-            return Parts{points_part("Regular grid", regular_grid_set(8)),
-                         points_part("Hexagonal grid", hexagonal_set(8)),
+            return Parts{points_part("Regular grid", regular_grid_points(8)),
+                         points_part("Hexagonal grid", hexagonal_grid_points(8)),
                          points_part("Poisson disk", sampler_set("poisson-disk", poisson_disk_size(), context.seed))};
           }};
 }
@@ -235,16 +203,15 @@ Figure figure_7_2() {
               "Shows 64 Hammersley points. The captions give the discrepancies, i.e. the largest difference over all "
               "boxes.",
           .make = [](const MakeContext&) -> Result<Parts> {
-            const PointSet set = hammersley_set(64);
+            const PointSet set = hammersley_points(64);
             PlaneDrawing star, extreme, triangle;
             add_box(star, set, 0, 0.55, 0, 0.7);
             add_box(extreme, set, 0.3, 0.8, 0.2, 0.65);
             triangle.area({{0.2, 0.15}, {0.85, 0.15}, {0.85, 0.8}}, transparent(ink(1), 0.25));
             triangle.dots(to_points(set), ink(0), 2.4);
-            return Parts{
-                plane_part("Star: D* = " + metrics::short_number(patterns::star_discrepancy(set)), star),
-                plane_part("Extreme: D = " + metrics::short_number(patterns::extreme_discrepancy(set)), extreme),
-                plane_part("Axis-parallel triangle", triangle)};
+            return Parts{plane_part("Star: D* = " + metrics::short_number(star_discrepancy(set)), star),
+                         plane_part("Extreme: D = " + metrics::short_number(extreme_discrepancy(set)), extreme),
+                         plane_part("Axis-parallel triangle", triangle)};
           }};
 }
 
@@ -268,13 +235,13 @@ Figure figure_7_3() {
 
 Figure figure_7_4() {
   return {.title = "Halton sequence in bases 2 and 3", .make = [](const MakeContext&) -> Result<Parts> {
-            return first_points("Halton", [](uint32_t n) { return halton_set(n); });
+            return first_points("Halton", [](uint32_t n) { return halton_points(n); });
           }};
 }
 
 Figure figure_7_6() {
   return {.title = "Hammersley point set",
-          .make = [](const MakeContext&) -> Result<Parts> { return first_points("Hammersley", hammersley_set); }};
+          .make = [](const MakeContext&) -> Result<Parts> { return first_points("Hammersley", hammersley_points); }};
 }
 
 Figure figure_7_7() {
@@ -302,7 +269,7 @@ Figure figure_7_7() {
 
 Figure figure_7_8() {
   return {.title = "Zaremba sequence in bases 2 and 3",
-          .make = [](const MakeContext&) -> Result<Parts> { return first_points("Zaremba", zaremba_set); }};
+          .make = [](const MakeContext&) -> Result<Parts> { return first_points("Zaremba", zaremba_points); }};
 }
 
 Figure figure_7_9() {
@@ -310,10 +277,10 @@ Figure figure_7_9() {
           .note = "Each of the 16 rows and columns contains one point of each set.",
           .make = [](const MakeContext& context) -> Result<Parts> {
             equations::RandomNumbers random(context.seed);
-            PointSet jittered = hammersley_set(16);
+            PointSet jittered = hammersley_points(16);
             for (auto& p : jittered)
               for (double& x : p) x += random.uniform() / 16;
-            return Parts{points_part("16 Hammersley points", hammersley_set(16), 16, 16),
+            return Parts{points_part("16 Hammersley points", hammersley_points(16), 16, 16),
                          points_part("Jittered", jittered, 16, 16)};
           }};
 }
@@ -328,7 +295,7 @@ Figure figure_7_10() {
             Parts parts;
             for (const auto& [x, y] : {std::pair(9U, 10U), std::pair(19U, 20U), std::pair(29U, 30U),
                                        std::pair(23U, 29U), std::pair(67U, 71U), std::pair(109U, 113U)})
-              parts.push_back(pair_part(halton_set(256, x, y), bases(x, y)));
+              parts.push_back(pair_part(halton_points(256, x, y), bases(x, y)));
             return parts;
           }};
 }
@@ -338,9 +305,9 @@ Figure figure_7_11() {
           .note = "The bases of dimensions 7 and 8 are 17 and 19.",
           .columns = 2,
           .make = [](const MakeContext&) -> Result<Parts> {
-            return Parts{pair_part(halton_set(256, 7, 8), bases(7, 8)),
+            return Parts{pair_part(halton_points(256, 7, 8), bases(7, 8)),
                          pair_part(faure_scrambled_set(256, 7, 8), bases(7, 8) + ", permuted"),
-                         pair_part(halton_set(256, 17, 19), bases(17, 19)),
+                         pair_part(halton_points(256, 17, 19), bases(17, 19)),
                          pair_part(faure_scrambled_set(256, 17, 19), bases(17, 19) + ", permuted")};
           }};
 }
@@ -350,7 +317,7 @@ Figure figure_7_13() {
       .title = "Elementary intervals of a (0, 4, 2)-net in base 2",
       .note =
           "16 Hammersley points. They lie on the borders of intervals and are drawn moved by 1/32 to the upper right.",
-      .make = [](const MakeContext&) -> Result<Parts> { return interval_parts(hammersley_set(16), 1, 16, 16); }};
+      .make = [](const MakeContext&) -> Result<Parts> { return interval_parts(hammersley_points(16), 1, 16, 16); }};
 }
 
 Figure figure_7_15() {
@@ -383,9 +350,9 @@ Figure figure_7_17() {
           .make = [](const MakeContext& context) -> Result<Parts> {
             Parts parts;
             const auto add = [&](const std::string& name, const PointSet& set) {
-              parts.push_back(points_part(name + ": t = " + std::to_string(*patterns::net_quality(set, 2)), set, 8, 8));
+              parts.push_back(points_part(name + ": t = " + std::to_string(*net_quality(set, 2)), set, 8, 8));
             };
-            add("Hammersley", hammersley_set(64));
+            add("Hammersley", hammersley_points(64));
             for (const auto& [name, setting] : {std::pair("Rotation (Cranley-Patterson)", "scrambling=rotation"),
                                                 std::pair("Digital shift", "scrambling=digital-shift"),
                                                 std::pair("Nested scrambling (Owen)", "scrambling=owen")})
@@ -401,10 +368,10 @@ Figure figure_7_18() {
               "has 80 points.",
           .columns = 4,
           .make = [](const MakeContext&) -> Result<Parts> {
-            return patterns_with_spectra({{"Regular grid", {regular_grid_set(8)}},
-                                          {"Hexagonal grid", {hexagonal_set(8)}},
-                                          {"Halton", {halton_set(64)}},
-                                          {"Hammersley", {hammersley_set(64)}}});
+            return patterns_with_spectra({{"Regular grid", {regular_grid_points(8)}},
+                                          {"Hexagonal grid", {hexagonal_grid_points(8)}},
+                                          {"Halton", {halton_points(64)}},
+                                          {"Hammersley", {hammersley_points(64)}}});
           }};
 }
 

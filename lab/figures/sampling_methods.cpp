@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/warp.h"
 #include "equations/random_numbers.h"
 #include "figures/tools.h"
 #include "metrics/log_axis.h"
 #include "patterns/distances.h"
-#include "sampling/halton.h"
-#include "sampling/point_sets/hexagonal_grid.h"
+#include "patterns/known_sets.h"
 
 namespace etendue::figures {
 
@@ -79,7 +79,7 @@ double euclidean(const std::array<double, 3>& a, const std::array<double, 3>& b)
 // A point in every cell of a regular grid: `offset` gives its place within the cell.
 template <class Offset>
 PointSet cell_points(uint32_t side, Offset&& offset) {
-  return point_set(side * side, [&](uint32_t i) {
+  return patterns::point_set(side * side, [&](uint32_t i) {
     const double x = offset(), y = offset();
     return PlanePoint{(i % side + x) / side, (i / side + y) / side};
   });
@@ -139,10 +139,8 @@ Point polar_to_disk(double u, double v) {
   return {std::sqrt(u) * std::cos(kTwoPi * v), std::sqrt(u) * std::sin(kTwoPi * v)};
 }
 Point concentric_to_disk(double u, double v) {
-  const double x = 2 * u - 1, y = 2 * v - 1, quarter = std::numbers::pi / 4;
-  if (x == 0 && y == 0) return {0, 0};
-  if (std::abs(x) > std::abs(y)) return {x * std::cos(quarter * y / x), x * std::sin(quarter * y / x)};
-  return {y * std::sin(quarter * x / y), y * std::cos(quarter * x / y)};
+  const Vec2 p = square_to_disk({static_cast<float>(u), static_cast<float>(v)});
+  return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
 
 double interval_kept_away(double u) { return 0.25 + 0.5 * u; }
@@ -359,14 +357,7 @@ Figure figure_6_29() {
           .note = "The hexagonal grid has 80 points.",
           .columns = 2,
           .make = [](const MakeContext&) -> Result<Parts> {
-            const PointSet hammersley = point_set(64, [](uint32_t i) {
-              return PlanePoint{i / 64.0, HaltonSampler::radical_inverse(i, 2)};
-            });
-            const uint32_t rows = HexagonalGridSampler::rows(8);
-            const PointSet hexagonal = point_set(8 * rows, [&](uint32_t i) {
-              const uint32_t row = i / 8;
-              return PlanePoint{(i % 8 + 0.25 + 0.5 * (row % 2)) / 8, (row + 0.5) / rows};
-            });
+            const PointSet hammersley = patterns::hammersley_points(64), hexagonal = patterns::hexagonal_grid_points(8);
             return Parts{points_part("64 Hammersley points", hammersley),
                          voronoi_part("Their Voronoi cells", hammersley), points_part("Hexagonal grid", hexagonal),
                          voronoi_part("Its Voronoi cells", hexagonal)};

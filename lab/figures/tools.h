@@ -33,14 +33,6 @@ Part plane_part(std::string caption, const PlaneDrawing& plane);
 Part points_part(std::string caption, const patterns::PointSet& points, int columns = 1, int rows = 1);
 std::vector<Point> to_points(const patterns::PointSet& set);
 
-// The numbers f(0), ..., f(count - 1) as points of a set.
-template <class F>
-patterns::PointSet point_set(uint32_t count, F&& f) {
-  patterns::PointSet set;
-  for (uint32_t i = 0; i < count; ++i) set.push_back(f(i));
-  return set;
-}
-
 // ---- Renderings
 
 // The built-in scene of this name with the settings "NAME=VALUE". Both must be valid.

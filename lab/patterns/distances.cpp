@@ -39,12 +39,12 @@ double least_distance(const PointSet& points) {
       points, [](const PlanePoint& p, const PlanePoint& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); });
 }
 
-double least_toroidal_distance(const PointSet& points) {
-  const auto along = [](double a, double b) { return std::min(std::abs(a - b), 1 - std::abs(a - b)); };
-  return least_over_pairs(points, [&](const PlanePoint& p, const PlanePoint& q) {
-    return std::hypot(along(p[0], q[0]), along(p[1], q[1]));
-  });
+double toroidal_distance(const PlanePoint& p, const PlanePoint& q) {
+  const auto along = [](double a, double b) { return std::abs(a - b - std::round(a - b)); };
+  return std::hypot(along(p[0], q[0]), along(p[1], q[1]));
 }
+
+double least_toroidal_distance(const PointSet& points) { return least_over_pairs(points, toroidal_distance); }
 
 std::vector<PointSet> voronoi_cells(const PointSet& points) {
   std::vector<PointSet> cells;

@@ -8,6 +8,7 @@ namespace etendue::patterns {
 // are joined.
 double least_distance(const PointSet& points);
 double least_toroidal_distance(const PointSet& points);
+double toroidal_distance(const PlanePoint& p, const PlanePoint& q);
 
 // The Voronoi cell of each point: the corners, in order, of the part of the unit square that is nearer to it than to all
 // others. Time O(N^2).

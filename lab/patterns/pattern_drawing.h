@@ -17,7 +17,7 @@ struct PatternDrawingOptions {
 // The points of the first set, beside the mean spectrum of all sets and its radial mean.
 metrics::Drawing pattern_drawing(const std::vector<PointSet>& sets, const PatternDrawingOptions& options = {});
 
-// The grey value of a power in a logarithmic scale from 0.01 (0) to 100 (1).
-double spectrum_grey(double power);
+// Powers in a logarithmic grey scale from 0.01 (black) to 100 (white), without the peak at the origin.
+metrics::Drawing spectrum_drawing(const Periodogram& spectrum, int size);
 
 }  // namespace etendue::patterns

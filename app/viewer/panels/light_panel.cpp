@@ -32,7 +32,7 @@ constexpr const char* kTemperatureItem = "light.temperature";
 constexpr const char* kUnitItem = "light.unit";
 
 void list_lights(AppState& state, const scene::Scene& scene) {
-  const std::vector<int> nodes = light_nodes(scene);
+  const std::vector<int>& nodes = light_nodes(state);
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     const int index = static_cast<int>(i);

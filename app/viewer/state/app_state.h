@@ -16,6 +16,7 @@
 #include "viewer/files/edit_journal.h"
 #include "viewer/files/file_request.h"
 #include "viewer/panels/panel_set.h"
+#include "viewer/state/node_places.h"
 #include "viewer/state/notices.h"
 #include "viewer/state/settings.h"
 #include "viewer/tasks/task.h"
@@ -96,6 +97,7 @@ struct ViewportState {
   Playback playback;
   std::optional<ClickTool> click_tool;
   Gizmo gizmo;
+  NodePlaces node_places;
   bool show_icons = true;  // of lights and cameras
 };
 

@@ -157,12 +157,8 @@ void toggle_visibility_of_selected(AppState& state) {
   state.set_parameter("node." + std::to_string(state.selection.node) + ".visible", !visible);
 }
 
-std::vector<int> light_nodes(const scene::Scene& scene) {
-  const std::vector<bool> reached = scene::reached(scene);
-  std::vector<int> nodes;
-  for (size_t i = 0; i < scene.nodes.size(); ++i)
-    if (reached[i] && scene.nodes[i].light >= 0) nodes.push_back(static_cast<int>(i));
-  return nodes;
+const std::vector<int>& light_nodes(const AppState& state) {
+  return state.viewport.node_places.of(state.document().scene).lights;
 }
 
 bool is_light_selected(const AppState& state) {
@@ -173,7 +169,7 @@ bool is_light_selected(const AppState& state) {
 bool is_solo(const AppState& state) {
   if (!is_light_selected(state)) return false;
   const auto& scene = scene_of(state);
-  return std::ranges::none_of(light_nodes(scene), [&](int node) {
+  return std::ranges::none_of(light_nodes(state), [&](int node) {
     return node != state.selection.node && scene.nodes[static_cast<size_t>(node)].visible;
   });
 }
@@ -183,7 +179,7 @@ void solo_selected_light(AppState& state) {
   const bool shows_others = is_solo(state);
   render::Document changed = state.document();
   auto scene = std::make_shared<scene::Scene>(*changed.scene);
-  for (const int node : light_nodes(*scene))
+  for (const int node : light_nodes(state))
     scene->nodes[static_cast<size_t>(node)].visible = shows_others || node == state.selection.node;
   changed.scene = std::move(scene);
   state.edit(std::move(changed), shows_others ? "Show all lights" : "Solo " + selected_name(state));
@@ -196,14 +192,15 @@ void drop_stale_selection(AppState& state) {
     return;
   }
   const auto& scene = scene_of(state);
+  const std::vector<bool>& exists = state.viewport.node_places.of(state.document().scene).exists;
   const auto is_stale = [](int index, size_t count) { return index >= 0 && static_cast<size_t>(index) >= count; };
   if (is_stale(selection.node, scene.nodes.size()) ||
-      (selection.node >= 0 && !scene::reached(scene)[static_cast<size_t>(selection.node)]))
+      (selection.node >= 0 && !exists[static_cast<size_t>(selection.node)]))
     selection.node = -1;
   if (is_stale(selection.material, scene.materials.size())) selection.material = -1;
   const auto shows_light = [&](int node) { return scene.nodes[static_cast<size_t>(node)].light == selection.light; };
   if (is_stale(selection.light, scene.lights.size()) ||
-      (selection.light >= 0 && std::ranges::none_of(light_nodes(scene), shows_light)))
+      (selection.light >= 0 && std::ranges::none_of(light_nodes(state), shows_light)))
     selection.light = -1;
 }
 

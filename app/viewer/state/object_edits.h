@@ -23,7 +23,7 @@ void rename_selected(AppState& state, const std::string& name);
 void toggle_visibility_of_selected(AppState& state);
 
 // The nodes of the scene that have a light and that were not removed.
-std::vector<int> light_nodes(const scene::Scene& scene);
+const std::vector<int>& light_nodes(const AppState& state);
 // Hides all lights except the selected one, or shows all if the others are hidden already.
 void solo_selected_light(AppState& state);
 bool is_light_selected(const AppState& state);

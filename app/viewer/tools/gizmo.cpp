@@ -145,7 +145,7 @@ std::optional<Gizmo::Frame> Gizmo::frame_of(const AppState& state) const {
   if (node.skin >= 0 || is_animated_node(scene, index)) return std::nullopt;
   if (mode == GizmoMode::scale && (node.light >= 0 || node.camera >= 0)) return std::nullopt;
   if (mode != GizmoMode::move && !scene::decompose(node.transform)) return std::nullopt;
-  const std::vector<Mat4> world = scene::world_matrices(scene);
+  const std::vector<Mat4>& world = state.viewport.node_places.of(state.document().scene).world;
   Frame frame;
   frame.to_world = world[static_cast<size_t>(index)];
   if (node.parent >= 0) frame.parent = world[static_cast<size_t>(node.parent)];

@@ -2,13 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "camera/segment_projection.h"
 #include "render/document.h"
-#include "scene/pose.h"
-#include "scene/structural_edit.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 
@@ -29,22 +28,16 @@ struct ObjectIcon {
 
 std::vector<ObjectIcon> icons_of(const AppState& state) {
   const render::Document& d = state.document();
-  const scene::Scene& scene = *d.scene;
-  std::vector<ObjectIcon> icons;
-  std::vector<int> nodes;
-  const std::vector<bool> reached = scene::reached(scene);
-  for (size_t i = 0; i < scene.nodes.size() && nodes.size() < kMostIcons; ++i)
-    if (reached[i] && (scene.nodes[i].light >= 0 || scene.nodes[i].camera >= 0)) nodes.push_back(static_cast<int>(i));
-  if (nodes.empty()) return icons;
-  const std::vector<Mat4> world = scene::world_matrices(scene);
+  const NodePlaces::Places& places = state.viewport.node_places.of(d.scene);
   const Placement& image = state.viewport.image;
-  for (const int node : nodes) {
-    const Vec3 position(world[static_cast<size_t>(node)][3]);
+  std::vector<ObjectIcon> icons;
+  for (size_t i = 0; i < std::min(places.with_icon.size(), kMostIcons); ++i) {
+    const auto node = static_cast<size_t>(places.with_icon[i]);
+    const Vec3 position(places.world[node][3]);
     // The camera of the view is at its own position.
-    if (glm::length(position - Vec3(d.camera.to_world[3])) == 0) continue;
+    if (position == Vec3(d.camera.to_world[3])) continue;
     const auto ends = project_segment(d.camera, Vec2i(image.size), position, position);
-    if (!ends) continue;
-    icons.push_back({node, image.corner + (*ends)[0], scene.nodes[static_cast<size_t>(node)].light >= 0});
+    if (ends) icons.push_back({static_cast<int>(node), image.corner + (*ends)[0], d.scene->nodes[node].light >= 0});
   }
   return icons;
 }

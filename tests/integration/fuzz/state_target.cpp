@@ -1,6 +1,7 @@
 // The state of a document as it is stored in images and checkpoints.
 #include "integration/fuzz/json_mutation.h"
 #include "render/document.h"
+#include "render/scene_saving.h"
 
 namespace etendue::fuzz {
 namespace {
@@ -13,6 +14,25 @@ void read_state(Input input) {
   if (!document) return;
   const auto again = render::document_from_state(render::state_json(*document, samples), "input");
   require(static_cast<bool>(again), "the state of a document cannot be read");
+  require(render::scene_to_save(*document).nodes.size() <= document->scene->nodes.size(),
+          "a saved scene has more nodes");
+}
+
+// The document with edits of each kind.
+render::Document with_edited_objects(render::Document document) {
+  using scene::EditKind;
+  const int nodes = static_cast<int>(document.scene->nodes.size());
+  for (const scene::StructuralEdit& edit : {scene::StructuralEdit{EditKind::add_light, -1, "spot", "light"},
+                                            {EditKind::add_shape, -1, "sphere", "ball"},
+                                            {EditKind::add_camera, -1, {}, "view"},
+                                            {EditKind::duplicate, 1, {}, "copy"},
+                                            {EditKind::remove, nodes, {}, {}},
+                                            {EditKind::rename, 0, {}, "first"}}) {
+    auto changed = render::with_structural_edit(document, edit);
+    require(static_cast<bool>(changed), "an edit is impossible");
+    document = std::move(*changed);
+  }
+  return document;
 }
 
 std::vector<Bytes> states() {
@@ -21,6 +41,7 @@ std::vector<Bytes> states() {
     auto document = render::new_document(scene);
     require(static_cast<bool>(document), "a built-in scene cannot be opened");
     seeds.push_back(bytes_of(render::state_json(*document, 16)));
+    seeds.push_back(bytes_of(render::state_json(with_edited_objects(*document), 16)));
     for (const auto& [name, value] : {std::pair{"film.width", "64"},
                                       {"film.filter", "tent"},
                                       {"render.integrator", "bdpt"},

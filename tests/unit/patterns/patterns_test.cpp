@@ -8,34 +8,18 @@
 #include "equations/random_numbers.h"
 #include "patterns/discrepancy.h"
 #include "patterns/distances.h"
+#include "patterns/known_sets.h"
 #include "patterns/net_quality.h"
 #include "patterns/pattern_report.h"
 #include "patterns/periodogram.h"
 #include "patterns/sampler_points.h"
 #include "sampling/halton.h"
 #include "sampling/point_sets/niederreiter.h"
-#include "sampling/point_sets/zaremba.h"
 #include "sampling/sobol.h"
 
 namespace etendue::patterns {
 namespace {
 
-PointSet halton(uint32_t n) {
-  PointSet set;
-  for (uint32_t i = 0; i < n; ++i)
-    set.push_back({HaltonSampler::radical_inverse(i, 2), HaltonSampler::radical_inverse(i, 3)});
-  return set;
-}
-PointSet hammersley(uint32_t n) {
-  PointSet set;
-  for (uint32_t i = 0; i < n; ++i) set.push_back({static_cast<double>(i) / n, HaltonSampler::radical_inverse(i, 2)});
-  return set;
-}
-PointSet grid(uint32_t side, double offset) {
-  PointSet set;
-  for (uint32_t i = 0; i < side * side; ++i) set.push_back({(i % side + offset) / side, (i / side + offset) / side});
-  return set;
-}
 PointSet random_set(uint32_t n, uint64_t seed) {
   equations::RandomNumbers random(seed);
   PointSet set;
@@ -47,41 +31,38 @@ PointSet random_set(uint32_t n, uint64_t seed) {
 }
 
 TEST(Discrepancy, HaltonHasItsExactValues) {
-  EXPECT_NEAR(star_discrepancy(halton(4)), 1.0 / 2, 1e-12);
-  EXPECT_NEAR(star_discrepancy(halton(8)), 23.0 / 72, 1e-12);
-  EXPECT_NEAR(star_discrepancy(halton(16)), 29.0 / 144, 1e-12);
-  EXPECT_NEAR(star_discrepancy(halton(64)), 5.0 / 96, 1e-12);
-  EXPECT_NEAR(star_discrepancy(halton(256)), 389.0 / 20736, 1e-12);
-  EXPECT_NEAR(star_discrepancy(halton(1024)), 0.006836, 5e-7);
+  EXPECT_NEAR(star_discrepancy(halton_points(4)), 1.0 / 2, 1e-12);
+  EXPECT_NEAR(star_discrepancy(halton_points(8)), 23.0 / 72, 1e-12);
+  EXPECT_NEAR(star_discrepancy(halton_points(16)), 29.0 / 144, 1e-12);
+  EXPECT_NEAR(star_discrepancy(halton_points(64)), 5.0 / 96, 1e-12);
+  EXPECT_NEAR(star_discrepancy(halton_points(256)), 389.0 / 20736, 1e-12);
+  EXPECT_NEAR(star_discrepancy(halton_points(1024)), 0.006836, 5e-7);
 }
 
 // N D* = m/3 + 13/9 - (-1)^m 4 / (9 2^m) for N = 2^m.
 TEST(Discrepancy, HammersleyHasItsClosedForm) {
   for (uint32_t m = 2; m <= 10; ++m) {
     const double n = 1U << m, sign = m % 2 == 0 ? 1 : -1;
-    EXPECT_NEAR(star_discrepancy(hammersley(1U << m)), (m / 3.0 + 13.0 / 9 - sign * 4 / (9 * n)) / n, 1e-12) << m;
+    EXPECT_NEAR(star_discrepancy(hammersley_points(1U << m)), (m / 3.0 + 13.0 / 9 - sign * 4 / (9 * n)) / n, 1e-12)
+        << m;
   }
 }
 
 TEST(Discrepancy, GridsHaveTheirExactValues) {
-  EXPECT_NEAR(star_discrepancy(grid(8, 0.5)), 31.0 / 256, 1e-12);  // 1 / m - 1 / (4 m^2)
-  EXPECT_NEAR(star_discrepancy(grid(8, 0)), 15.0 / 64, 1e-12);
-  EXPECT_NEAR(l2_star_discrepancy(grid(4, 0.5)), std::sqrt(263.0 / 73728), 1e-12);
-  EXPECT_NEAR(l2_star_discrepancy(grid(8, 0.5)), std::sqrt(1031.0 / 1179648), 1e-12);
+  EXPECT_NEAR(star_discrepancy(regular_grid_points(8, 0.5)), 31.0 / 256, 1e-12);  // 1 / m - 1 / (4 m^2)
+  EXPECT_NEAR(star_discrepancy(regular_grid_points(8, 0)), 15.0 / 64, 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(regular_grid_points(4, 0.5)), std::sqrt(263.0 / 73728), 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(regular_grid_points(8, 0.5)), std::sqrt(1031.0 / 1179648), 1e-12);
 }
 
 TEST(Discrepancy, WarnocksFormulaHasTheExactValues) {
-  EXPECT_NEAR(l2_star_discrepancy(hammersley(16)), std::sqrt(22655.0 / 4718592), 1e-12);
-  EXPECT_NEAR(l2_star_discrepancy(halton(16)), std::sqrt(1159.0 / 248832), 1e-12);
-  EXPECT_NEAR(l2_star_discrepancy(hammersley(64)), std::sqrt(543167.0 / 1207959552), 1e-12);
-  EXPECT_NEAR(l2_star_discrepancy(halton(64)), std::sqrt(115781.0 / 429981696), 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(hammersley_points(16)), std::sqrt(22655.0 / 4718592), 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(halton_points(16)), std::sqrt(1159.0 / 248832), 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(hammersley_points(64)), std::sqrt(543167.0 / 1207959552), 1e-12);
+  EXPECT_NEAR(l2_star_discrepancy(halton_points(64)), std::sqrt(115781.0 / 429981696), 1e-12);
 }
 
-TEST(Discrepancy, ZarembaHasTheKnownValues) {
-  PointSet set;
-  for (uint32_t i = 0; i < 64; ++i) set.push_back({ZarembaSampler::inverse(i, 2), ZarembaSampler::inverse(i, 3)});
-  EXPECT_NEAR(star_discrepancy(set), 0.057190, 1e-6);
-}
+TEST(Discrepancy, ZarembaHasTheKnownValues) { EXPECT_NEAR(star_discrepancy(zaremba_points(64)), 0.057190, 1e-6); }
 
 // All pairs of coordinates as sides, with the counts of open and closed boxes.
 double extreme_by_search(const PointSet& set) {
@@ -109,13 +90,14 @@ double extreme_by_search(const PointSet& set) {
 TEST(Discrepancy, ExtremeEqualsASearchOverAllBoxes) {
   for (uint64_t seed = 0; seed < 5; ++seed)
     EXPECT_NEAR(extreme_discrepancy(random_set(12, seed)), extreme_by_search(random_set(12, seed)), 1e-12) << seed;
-  EXPECT_NEAR(extreme_discrepancy(hammersley(16)), extreme_by_search(hammersley(16)), 1e-12);
-  EXPECT_NEAR(extreme_discrepancy(grid(4, 0)), extreme_by_search(grid(4, 0)), 1e-12);
+  EXPECT_NEAR(extreme_discrepancy(hammersley_points(16)), extreme_by_search(hammersley_points(16)), 1e-12);
+  EXPECT_NEAR(extreme_discrepancy(regular_grid_points(4, 0)), extreme_by_search(regular_grid_points(4, 0)), 1e-12);
 }
 
 // D* <= D <= 4 D*                                                                                   [Lang, eq. 7.17]
 TEST(Discrepancy, ExtremeLiesBetweenItsBounds) {
-  for (const PointSet& set : {halton(64), hammersley(64), grid(8, 0.5), random_set(64, 1)}) {
+  for (const PointSet& set :
+       {halton_points(64), hammersley_points(64), regular_grid_points(8, 0.5), random_set(64, 1)}) {
     EXPECT_LE(star_discrepancy(set), extreme_discrepancy(set) + 1e-12);
     EXPECT_LE(extreme_discrepancy(set), 4 * star_discrepancy(set) + 1e-12);
   }
@@ -127,16 +109,16 @@ TEST(Discrepancy, SequencesStayBelowTheirBounds) {
   EXPECT_NEAR(halton_bound(256), 0.159222, 1e-6);
   EXPECT_NEAR(hammersley_bound(1024), 0.008301, 1e-6);
   for (const uint32_t n : {16U, 64U, 256U, 1024U}) {
-    EXPECT_LT(star_discrepancy(halton(n)), halton_bound(n));
-    EXPECT_LT(star_discrepancy(hammersley(n)), hammersley_bound(n));
+    EXPECT_LT(star_discrepancy(halton_points(n)), halton_bound(n));
+    EXPECT_LT(star_discrepancy(hammersley_points(n)), hammersley_bound(n));
   }
 }
 
 TEST(NetQuality, IsThatOfKnownSets) {
-  EXPECT_EQ(net_quality(hammersley(64), 2), 0);
-  EXPECT_EQ(net_quality(grid(8, 0.5), 2), 3);
-  EXPECT_EQ(net_quality(halton(64), 2), 6);
-  EXPECT_EQ(net_quality(halton(63), 2), std::nullopt);
+  EXPECT_EQ(net_quality(hammersley_points(64), 2), 0);
+  EXPECT_EQ(net_quality(regular_grid_points(8, 0.5), 2), 3);
+  EXPECT_EQ(net_quality(halton_points(64), 2), 6);
+  EXPECT_EQ(net_quality(halton_points(63), 2), std::nullopt);
   PointSet diagonal, base3;
   for (int i = 0; i < 16; ++i) diagonal.push_back({i / 16.0, i / 16.0});
   EXPECT_EQ(net_quality(diagonal, 2), 3);
@@ -175,9 +157,9 @@ TEST(NetQuality, OfSequencesIsThePublishedOne) {
 }
 
 TEST(Distances, AreThoseOfKnownSets) {
-  EXPECT_NEAR(least_distance(hammersley(16)), 0.176777, 1e-6);
-  EXPECT_NEAR(least_distance(halton(64)), 0.0484735, 1e-7);
-  EXPECT_NEAR(least_toroidal_distance(grid(8, 0)), 0.125, 1e-12);
+  EXPECT_NEAR(least_distance(hammersley_points(16)), 0.176777, 1e-6);
+  EXPECT_NEAR(least_distance(halton_points(64)), 0.0484735, 1e-7);
+  EXPECT_NEAR(least_toroidal_distance(regular_grid_points(8, 0)), 0.125, 1e-12);
   EXPECT_NEAR(least_toroidal_distance({{0.05, 0.5}, {0.95, 0.5}}), 0.1, 1e-12);
   EXPECT_NEAR(least_distance({{0.05, 0.5}, {0.95, 0.5}}), 0.9, 1e-12);
 }
@@ -192,24 +174,24 @@ double area_of(const PointSet& polygon) {
 }
 
 TEST(VoronoiCells, DivideTheSquare) {
-  for (const PointSet& set : {hammersley(64), random_set(50, 3)}) {
+  for (const PointSet& set : {hammersley_points(64), random_set(50, 3)}) {
     double sum = 0;
     for (const PointSet& cell : voronoi_cells(set)) sum += area_of(cell);
     EXPECT_NEAR(sum, 1, 1e-12);
   }
-  for (const PointSet& cell : voronoi_cells(grid(8, 0.5))) EXPECT_NEAR(area_of(cell), 1.0 / 64, 1e-12);
+  for (const PointSet& cell : voronoi_cells(regular_grid_points(8, 0.5))) EXPECT_NEAR(area_of(cell), 1.0 / 64, 1e-12);
 }
 
 TEST(Periodogram, HasTheClosedFormsOfGridsAndHammersley) {
-  const Periodogram regular = periodogram(grid(8, 0), 16);
+  const Periodogram regular = periodogram(regular_grid_points(8, 0), 16);
   for (int ky = -16; ky <= 16; ++ky)
     for (int kx = -16; kx <= 16; ++kx)
       EXPECT_NEAR(regular.at(kx, ky), kx % 8 == 0 && ky % 8 == 0 ? 64 : 0, 1e-9) << kx << " " << ky;
-  const Periodogram set = periodogram(hammersley(64), 16);
+  const Periodogram set = periodogram(hammersley_points(64), 16);
   EXPECT_NEAR(set.at(6, -12), 20.41, 0.005);
   EXPECT_NEAR(set.at(14, -14), 15.41, 0.005);
   EXPECT_NEAR(set.at(10, 10), 13.48, 0.005);
-  EXPECT_NEAR(periodogram(halton(64), 16).at(3, -10), 26.84, 0.005);
+  EXPECT_NEAR(periodogram(halton_points(64), 16).at(3, -10), 26.84, 0.005);
 }
 
 // The mean of 400 jittered grids: 1 - sinc^2(k1 / 8) sinc^2(k2 / 8). P is approximately exponential, with a standard
@@ -248,12 +230,12 @@ TEST(PatternReport, ErrorsStayBelowTheBoundOfKoksmaAndHlawka) {
     return std::nan("");
   };
   for (const auto& [n, error] : {std::pair(16U, 9.7656e-4), std::pair(64U, 3.96729e-3), std::pair(256U, 1.956939e-3)}) {
-    const auto values = report_of({hammersley(n)});
+    const auto values = report_of({hammersley_points(n)});
     EXPECT_NEAR(value(values, "error of x y"), error, 1e-6 * error + 5e-9) << n;
     EXPECT_LE(value(values, "error of x y"), value(values, "error of x y, bound"));
   }
-  EXPECT_NEAR(value(report_of({halton(64)}), "error of exp(x + y)"), 0.091217, 1e-6);
-  EXPECT_NEAR(value(report_of({halton(64)}), "error of exp(x + y), bound"), 0.640315, 1e-6);
+  EXPECT_NEAR(value(report_of({halton_points(64)}), "error of exp(x + y)"), 0.091217, 1e-6);
+  EXPECT_NEAR(value(report_of({halton_points(64)}), "error of exp(x + y), bound"), 0.640315, 1e-6);
 }
 
 TEST(SamplerPoints, ReportErrors) {

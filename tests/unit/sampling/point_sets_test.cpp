@@ -5,6 +5,8 @@
 #include <set>
 
 #include "base/hash.h"
+#include "patterns/distances.h"
+#include "patterns/net_quality.h"
 #include "sampling/halton.h"
 #include "sampling/point_sets/faure.h"
 #include "sampling/point_sets/hammersley.h"
@@ -18,7 +20,8 @@
 namespace etendue {
 namespace {
 
-using Point = std::array<double, 2>;
+using patterns::least_toroidal_distance, patterns::net_quality, patterns::toroidal_distance;
+using Point = patterns::PlanePoint;
 
 double fraction(uint32_t bits) { return bits * 0x1p-32; }
 
@@ -27,35 +30,6 @@ std::vector<Point> pairs(const Sampler& sampler, uint32_t seed, uint32_t count, 
   std::vector<Point> result;
   for (const auto& p : test::points(sampler, seed, count, 1)) result.push_back({p[first], p[first + 1]});
   return result;
-}
-
-// The smallest t for which the 2^m points are a (t, m, 2)-net in base 2.                     [Lang, def. 7.13]
-int net_quality(const std::vector<Point>& points, int m) {
-  const auto holds = [&](int t) {
-    for (int a = 0; a <= m - t; ++a) {
-      const int columns = 1 << a, rows = 1 << (m - t - a);
-      std::vector<int> counts(static_cast<size_t>(columns) * rows);
-      for (const Point& p : points)
-        ++counts[static_cast<size_t>(p[1] * rows) * columns + static_cast<size_t>(p[0] * columns)];
-      for (const int n : counts)
-        if (n != 1 << t) return false;
-    }
-    return true;
-  };
-  int t = 0;
-  while (!holds(t)) ++t;
-  return t;
-}
-
-double distance_on_torus(const Point& a, const Point& b) {
-  const auto wrapped = [](double x) { return x - std::round(x); };
-  return std::hypot(wrapped(a[0] - b[0]), wrapped(a[1] - b[1]));
-}
-double smallest_distance(const std::vector<Point>& points) {
-  double smallest = 1;
-  for (size_t i = 0; i < points.size(); ++i)
-    for (size_t j = 0; j < i; ++j) smallest = std::min(smallest, distance_on_torus(points[i], points[j]));
-  return smallest;
 }
 
 TEST(Hammersley, PublishedPointsAndNets) {
@@ -67,7 +41,7 @@ TEST(Hammersley, PublishedPointsAndNets) {
       const auto p = HammersleySampler::point(i, m);
       plain.push_back({fraction(p[0]), fraction(p[1])});
     }
-    EXPECT_EQ(net_quality(plain, m), 0) << m;
+    EXPECT_EQ(net_quality(plain, 2), 0) << m;
   }
 }
 
@@ -79,8 +53,8 @@ TEST(Hammersley, ScramblingKeepsTheNet) {
   };
   for (uint32_t seed = 0; seed < 20; ++seed)
     for (const size_t first : {0, 2}) {
-      EXPECT_EQ(net_quality(pairs(*make("owen"), mix_bits(seed), 64, first), kLog2), 0);
-      EXPECT_EQ(net_quality(pairs(*make("digital-shift"), mix_bits(seed), 64, first), kLog2), 0);
+      EXPECT_EQ(net_quality(pairs(*make("owen"), mix_bits(seed), 64, first), 2), 0);
+      EXPECT_EQ(net_quality(pairs(*make("digital-shift"), mix_bits(seed), 64, first), 2), 0);
       const auto jittered = pairs(*make("jitter"), mix_bits(seed), 64, first);
       for (const size_t axis : {0, 1}) {
         std::set<int> filled;
@@ -174,7 +148,7 @@ TEST(Niederreiter, IsADigitalSequence) {
     std::vector<Point> points;
     for (uint32_t i = first; i < first + 64; ++i)
       points.push_back({fraction(NiederreiterSampler::point(i, 0)), fraction(NiederreiterSampler::point(i, 1))});
-    EXPECT_EQ(net_quality(points, 6), 0);
+    EXPECT_EQ(net_quality(points, 2), 0);
     for (uint32_t d = 0; d < NiederreiterSampler::kDimensions; ++d) {
       std::set<uint32_t> filled;
       for (uint32_t i = first; i < first + 64; ++i) filled.insert(NiederreiterSampler::point(i, d) >> 26);
@@ -185,7 +159,7 @@ TEST(Niederreiter, IsADigitalSequence) {
   std::vector<Point> points;
   for (uint32_t i = 0; i < 256; ++i)
     points.push_back({fraction(NiederreiterSampler::point(i, 0)), fraction(NiederreiterSampler::point(i, 2))});
-  EXPECT_LE(net_quality(points, 8), 1);
+  EXPECT_LE(net_quality(points, 2), 1);
 }
 
 // The figure of merit P2, the squared worst-case error of smooth periodic functions, of pairs of dimensions: a tenth of
@@ -212,13 +186,13 @@ TEST(PoissonDisk, KeepsTheDistanceAndHasNoHoles) {
     const auto& set = PoissonDiskSampler::points(size);
     const double wanted = size == PoissonDiskSize::small ? 16 : size == PoissonDiskSize::medium ? 64 : 256;
     EXPECT_NEAR(static_cast<double>(set.points.size()), wanted, 0.15 * wanted);
-    EXPECT_GE(smallest_distance(set.points), set.distance);
+    EXPECT_GE(least_toroidal_distance(set.points), set.distance);
     // Hardly any place is left for another point.
     int free = 0;
     constexpr int kProbes = 100;
     for (int i = 0; i < kProbes * kProbes; ++i) {
       const Point p{(i % kProbes + 0.5) / kProbes, (i / kProbes + 0.5) / kProbes};
-      free += std::ranges::all_of(set.points, [&](const Point& q) { return distance_on_torus(p, q) >= set.distance; });
+      free += std::ranges::all_of(set.points, [&](const Point& q) { return toroidal_distance(p, q) >= set.distance; });
     }
     EXPECT_LT(free, 0.005 * kProbes * kProbes);
   }
@@ -231,7 +205,7 @@ TEST(HexagonalGrid, HasTheLargestDistances) {
     const uint32_t count = static_cast<uint32_t>(columns) * HexagonalGridSampler::rows(static_cast<uint32_t>(columns));
     const double largest = std::sqrt(2 / (std::sqrt(3.0) * count));
     for (const size_t first : {0, 2}) {
-      const double distance = smallest_distance(pairs(*sampler, 77, count, first));
+      const double distance = least_toroidal_distance(pairs(*sampler, 77, count, first));
       EXPECT_LE(distance, largest * 1.0001);
       EXPECT_GT(distance, 0.85 * largest) << columns;
     }
@@ -240,7 +214,7 @@ TEST(HexagonalGrid, HasTheLargestDistances) {
 
 TEST(RegularGrid, IsAGrid) {
   const auto sampler = make_sampler("regular-grid", {{"side", int64_t{5}}});
-  EXPECT_NEAR(smallest_distance(pairs(*sampler, 3, 25, 0)), 0.2, 1e-6);
+  EXPECT_NEAR(least_toroidal_distance(pairs(*sampler, 3, 25, 0)), 0.2, 1e-6);
 }
 
 // Every dimension of a group has one point in each interval.
