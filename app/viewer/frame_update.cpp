@@ -77,7 +77,10 @@ void add_warnings_of_scene(AppState& state) {
 
 void open_document(AppState& state, OpenedFile opened) {
   render::Document& document = opened.document;
-  if (opened.kind == OpenedFile::Kind::scene) fit_image(document, state.viewport.region.size);
+  if (opened.kind == OpenedFile::Kind::scene) {
+    fit_image(document, state.viewport.region.size);
+    document.automatic.enabled = state.chooses_integrators();
+  }
   state.selection = {};
   state.previous_integrator.clear();
   for (Task* task : all_tasks(state)) task->reset(state.task_context);

@@ -9,7 +9,6 @@
 namespace etendue {
 namespace {
 
-json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
 class Integrators : public Viewer {

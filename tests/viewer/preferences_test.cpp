@@ -31,6 +31,18 @@ TEST_F(Preferences, AreKeptAndAppliedAtTheNextStart) {
   EXPECT_EQ(state("next.json")["ui_scale"], 1.5);
 }
 
+TEST_F(Preferences, IntegratorOfOpenedScenesIsChosenAutomatically) {
+  ASSERT_EQ(run_with_settings(json::array({wait_for("automatic"), file_step("state", path("chosen.json")),
+                                           set("preferences.automatic", false), click("preferences.close")})),
+            0);
+  const json chosen = state("chosen.json")["automatic"];
+  ASSERT_TRUE(chosen.is_object());
+  EXPECT_NE(chosen["reason"], "");
+  EXPECT_EQ(settings()["automatic_integrator"], false);
+  ASSERT_EQ(run_with_settings(json::array({file_step("state", path("path.json"))})), 0);
+  EXPECT_TRUE(state("path.json")["automatic"].is_null());
+}
+
 TEST_F(Preferences, ShortcutsCanBeReplaced) {
   ASSERT_EQ(run_with_settings(json::array({click("app.preferences"),
                                            {{"do", "wait"}, {"seconds", 0.2}},

@@ -73,6 +73,7 @@ inline json set(const std::string& name, const json& value) {
 }
 inline json click(const std::string& item) { return {{"do", "click"}, {"item", item}}; }
 inline json key(const std::string& chord) { return {{"do", "key"}, {"key", chord}}; }
+inline json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 inline json file_step(const std::string& action, const std::string& file) { return {{"do", action}, {"file", file}}; }
 
 }  // namespace etendue

@@ -4,7 +4,6 @@
 namespace etendue {
 namespace {
 
-json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
 class SurfacePanel : public Viewer {

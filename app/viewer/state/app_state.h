@@ -167,6 +167,9 @@ struct AppState {
   std::string incompatibility() const;
   // Opens a scene, a session, a snapshot or an environment map in the background.
   void open_file(const std::string& file);
+  // Whether the integrator of an opened scene is chosen automatically. Not without stored settings: scripts and
+  // off-screen runs give the same images on every machine.
+  bool chooses_integrators() const { return !files.settings.empty() && settings.automatic_integrator; }
   // Writes the session file; asks for its name if it has none.
   void save_session();
   void save_session_as();

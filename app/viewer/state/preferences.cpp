@@ -72,9 +72,14 @@ std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
 }
 
 std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
-  return {thread_count(settings), describe_choice("preferences.environment", "Default environment",
-                                                  "Lights scenes without lights of their own, from the next scene on",
-                                                  environment_options(), index_of_environment(settings.environment))};
+  return {thread_count(settings),
+          describe_choice("preferences.environment", "Default environment",
+                          "Lights scenes without lights of their own, from the next scene on", environment_options(),
+                          index_of_environment(settings.environment)),
+          describe(Toggle{"preferences.automatic", "Choose the integrator of opened scenes automatically",
+                          settings.automatic_integrator,
+                          "Short pilot renderings choose the integrator a moment after a scene was opened; otherwise "
+                          "path tracing. Sessions and snapshots keep their own"})};
 }
 
 void assign_preference(Settings& settings, const std::string& name, const Value& value) {
@@ -86,6 +91,7 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
   if (name == "preferences.font-size") settings.font_size = static_cast<float>(std::get<int64_t>(value));
   if (name == "preferences.welcome") settings.show_welcome = std::get<bool>(value);
   if (name == "preferences.timing") settings.show_timing = std::get<bool>(value);
+  if (name == "preferences.automatic") settings.automatic_integrator = std::get<bool>(value);
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);
 }

@@ -28,6 +28,7 @@ Settings from_json(const json& j) {
   s.font_size = std::clamp(j.value("font_size", s.font_size), kMinFontSize, kMaxFontSize);
   s.show_welcome = j.value("show_welcome", true);
   s.show_timing = j.value("show_timing", false);
+  s.automatic_integrator = j.value("automatic_integrator", true);
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
@@ -46,6 +47,7 @@ json to_json(const Settings& s) {
           {"font_size", s.font_size},
           {"show_welcome", s.show_welcome},
           {"show_timing", s.show_timing},
+          {"automatic_integrator", s.automatic_integrator},
           {"threads", s.threads},
           {"environment", s.environment},
           {"snapshot_folder", s.snapshot_folder},

@@ -25,6 +25,7 @@ struct Settings {
   float font_size = 16;                          // units of the interface
   bool show_welcome = true;                      // the welcome page, when no scene is named
   bool show_timing = false;                      // of the interface, in the status bar
+  bool automatic_integrator = true;              // chosen for each scene that is opened
   int threads = 0;                               // 0: one per hardware thread; applied at the next start
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one
   std::string snapshot_folder;                   // empty: `folder`
