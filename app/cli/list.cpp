@@ -71,6 +71,8 @@ json samplers_json() {
     json j = entry_json(info.name, info.label, info.doc, info.parameters);
     j["progressive"] = info.progressive;
     j["independent"] = info.independent;
+    j["joint_dimensions"] = info.joint_dimensions;
+    j["padding"] = info.padding;
     list.push_back(j);
   }
   return list;

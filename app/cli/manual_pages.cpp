@@ -150,6 +150,8 @@ ManualPage sampler_page(const SourceFiles& sources, const SamplerInfo& info) {
   properties.add("Name", code(info.name));
   properties.add("Samples", info.independent ? "statistically independent" : "stratified or low-discrepancy");
   properties.add("Progressive", info.progressive ? "yes" : "no: whole groups of samples are distributed evenly");
+  properties.add("Dimensions distributed evenly together", std::to_string(info.joint_dimensions));
+  properties.add("Further dimensions", info.padding);
   return {"samplers/" + info.name + ".md", title(info.label, info.doc) + image("sampler", info.name, info.label) +
                                                properties.text() + "## Method\n\n" +
                                                sources.head_comment(info.file).markdown +

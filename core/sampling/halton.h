@@ -37,6 +37,8 @@ class HaltonSampler final : public Sampler {
       .name = "halton",
       .label = "Halton, scrambled",
       .doc = "Radical inverses in prime bases with scrambled digits. Weak in high dimensions.",
+      .joint_dimensions = 64,
+      .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
   Choice<HaltonScrambling> scrambling{"scrambling", "Scrambling", HaltonScrambling::owen,

@@ -16,6 +16,8 @@ class RandomSampler final : public Sampler {
       .label = "Random",
       .doc = "Independent numbers. The error decreases with the square root of the number of samples.",
       .independent = true,
+      .joint_dimensions = 0,
+      .padding = "independent random numbers",
   };
   auto parameters() { return std::tie(); }
 

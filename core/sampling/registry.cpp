@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "sampling/halton.h"
+#include "sampling/pmj02.h"
 #include "sampling/point_sets/faure.h"
 #include "sampling/point_sets/hammersley.h"
 #include "sampling/point_sets/hexagonal_grid.h"
@@ -36,6 +37,8 @@ Entry entry() {
                .independent = description.independent,
                .progressive = description.progressive,
                .for_study = description.for_study,
+               .joint_dimensions = description.joint_dimensions,
+               .padding = description.padding,
                .file = description.file},
       .make =
           [](const std::vector<Setting>& settings) {
@@ -49,11 +52,11 @@ Entry entry() {
 // One line per sampler; the first one is the default.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<SobolSampler>(),          entry<HaltonSampler>(),          entry<StratifiedSampler>(),
-      entry<RandomSampler>(),         entry<NiederreiterSampler>(),    entry<FaureSampler>(),
-      entry<LatticeSampler>(),        entry<ZarembaSampler>(),         entry<HammersleySampler>(),
-      entry<LatinHypercubeSampler>(), entry<OrthogonalArraySampler>(), entry<PoissonDiskSampler>(),
-      entry<RegularGridSampler>(),    entry<HexagonalGridSampler>(),
+      entry<SobolSampler>(),       entry<Pmj02Sampler>(),          entry<HaltonSampler>(),
+      entry<StratifiedSampler>(),  entry<RandomSampler>(),         entry<NiederreiterSampler>(),
+      entry<FaureSampler>(),       entry<LatticeSampler>(),        entry<ZarembaSampler>(),
+      entry<HammersleySampler>(),  entry<LatinHypercubeSampler>(), entry<OrthogonalArraySampler>(),
+      entry<PoissonDiskSampler>(), entry<RegularGridSampler>(),    entry<HexagonalGridSampler>(),
   };
   return all;
 }

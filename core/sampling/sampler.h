@@ -69,6 +69,9 @@ struct SamplerDescription {
   bool independent = false;  // its samples are statistically independent
   bool progressive = true;   // any number of samples is distributed evenly; false: whole groups of samples are
   bool for_study = false;    // for comparison: never chosen automatically
+  // The number of dimensions that are distributed evenly together; 0: none are.
+  int joint_dimensions;
+  const char* padding;  // how the other dimensions are supplied
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();
 };
@@ -78,6 +81,8 @@ struct SamplerInfo {
   std::string name, label, doc;
   std::vector<ParameterInfo> parameters;
   bool independent = false, progressive = true, for_study = false;
+  int joint_dimensions = 0;
+  std::string padding;
   const char* file;
 };
 

@@ -23,6 +23,8 @@ class SobolSampler final : public Sampler {
       .name = "sobol",
       .label = "Sobol', Owen",
       .doc = "Scrambled low-discrepancy points. In smooth regions the error decreases faster than with random numbers.",
+      .joint_dimensions = 64,
+      .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
   auto parameters() { return std::tie(); }

@@ -18,6 +18,8 @@ class StratifiedSampler final : public Sampler {
       .label = "Stratified",
       .doc = "Jittered grids in random order. Better than random within a group of samples.",
       .progressive = false,
+      .joint_dimensions = 2,
+      .padding = "independent orders of samples for each decision of a path",
   };
   Number<int> side{"side", "Strata per side", 4, {1, 64}, "A group of samples has the square of this number."};
   auto parameters() { return std::tie(side); }

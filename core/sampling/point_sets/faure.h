@@ -21,6 +21,8 @@ class FaureSampler final : public Sampler {
       .label = "Faure",
       .doc = "A digital sequence in base 11 in which all dimensions of a block are alike. Needs many samples.",
       .for_study = true,
+      .joint_dimensions = 8,
+      .padding = "an order of samples of its own for each block of eight dimensions",
   };
   static constexpr uint32_t kBase = 11;
   static constexpr uint32_t kIndexDigits = 10;  // of any sample number

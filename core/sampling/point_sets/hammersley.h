@@ -36,6 +36,8 @@ class HammersleySampler final : public Sampler {
       .doc = "Low-discrepancy sets of a fixed size, with a choice of randomisations.",
       .progressive = false,
       .for_study = true,
+      .joint_dimensions = 2,
+      .padding = "independent orders of samples for each decision of a path",
   };
   Number<int> log2_size{
       "log2-size", "Group size, log2", 6, {0, 16}, "A group has this power of two of samples: 6 stands for 64."};

@@ -19,6 +19,8 @@ class HexagonalGridSampler final : public Sampler {
       .doc = "Hexagonal grids with a random offset: the largest distances between points. For comparison.",
       .progressive = false,
       .for_study = true,
+      .joint_dimensions = 2,
+      .padding = "independent orders of samples for each decision of a path",
   };
   Number<int> columns{
       "columns", "Points per row", 4, {1, 64}, "A group of samples has about 1.15 times the square of this number."};

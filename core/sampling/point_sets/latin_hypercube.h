@@ -17,6 +17,8 @@ class LatinHypercubeSampler final : public Sampler {
       .doc = "Every dimension by itself is stratified. Helps where the dimensions act independently.",
       .progressive = false,
       .for_study = true,
+      .joint_dimensions = 1,
+      .padding = "independent orders of samples for each dimension",
   };
   Number<int> samples{"samples", "Group size", 16, {1, 4096}, "Number of samples that are stratified together."};
   auto parameters() { return std::tie(samples); }

@@ -21,6 +21,8 @@ class LatticeSampler final : public Sampler {
       .label = "Rank-1 lattice",
       .doc = "A lattice with a random offset that grows with the samples. Good for smooth integrands.",
       .for_study = true,
+      .joint_dimensions = 64,
+      .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
   auto parameters() { return std::tie(); }

@@ -22,6 +22,8 @@ class NiederreiterSampler final : public Sampler {
       .label = "Niederreiter, Owen",
       .doc = "A scrambled digital sequence in base 2. For comparison with sobol.",
       .for_study = true,
+      .joint_dimensions = 64,
+      .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
   auto parameters() { return std::tie(); }

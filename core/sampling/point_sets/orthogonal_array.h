@@ -21,6 +21,8 @@ class OrthogonalArraySampler final : public Sampler {
       .doc = "All pairs of the dimensions of a block are stratified.",
       .progressive = false,
       .for_study = true,
+      .joint_dimensions = 8,
+      .padding = "an array of its own for each block of eight dimensions",
   };
   Number<int> symbols{"symbols",
                       "Symbols",

@@ -18,6 +18,8 @@ class RegularGridSampler final : public Sampler {
       .doc = "Grids with a random offset. For comparison: edges and periodic structures cause aliasing.",
       .progressive = false,
       .for_study = true,
+      .joint_dimensions = 2,
+      .padding = "independent orders of samples for each decision of a path",
   };
   Number<int> side{"side", "Points per side", 4, {1, 64}, "A group of samples has the square of this number."};
   auto parameters() { return std::tie(side); }

@@ -19,6 +19,8 @@ class ZarembaSampler final : public Sampler {
       .label = "Zaremba",
       .doc = "Radical inverses with rotated digits in bases 2 and 3. For comparison with halton.",
       .for_study = true,
+      .joint_dimensions = 2,
+      .padding = "independent orders of samples for each decision of a path",
   };
   auto parameters() { return std::tie(); }
 

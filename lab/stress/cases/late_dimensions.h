@@ -14,6 +14,7 @@ inline void late_dimensions(TestContext& test) {
   test.expect_between("random", "dimensions 60 and 61" + half, clumped_pixel_fraction("random", 60), 0, 0.004);
   test.expect_between("halton", "dimensions 60 and 61" + half, clumped_pixel_fraction("halton", 60), 0.02, 1);
   test.expect_between("sobol", "dimensions 60 and 61" + half, clumped_pixel_fraction("sobol", 60), 0.5, 1);
+  test.expect_between("pmj02", "dimensions 58 and 59" + half, clumped_pixel_fraction("pmj02", 58), 0, 0);
 }
 
 inline constexpr Case kLateDimensions{
@@ -22,7 +23,8 @@ inline constexpr Case kLateDimensions{
     .theory =
         "Low-discrepancy points cover the first pairs of dimensions evenly, but later pairs only with "
         "many samples. Halton points lie on lines below the prime base. Pairs of Sobol' matrices with a "
-        "large t leave half of the square empty",
+        "large t leave half of the square empty. A sequence of its own for each decision (pmj02) covers late pairs "
+        "as evenly as early ones",
     .run = late_dimensions};
 
 }  // namespace etendue::stress

@@ -181,20 +181,45 @@ TEST(Lattice, PairsOfDimensionsAreEven) {
   EXPECT_LT(merits.back(), random);
 }
 
+double points_of(PoissonDiskSize size) {
+  return size == PoissonDiskSize::small ? 16 : size == PoissonDiskSize::medium ? 64 : 256;
+}
+
+// The share of the square that is farther than `distance` from all points.
+double share_of_holes(const std::vector<Point>& set, double distance) {
+  constexpr int kProbes = 100;
+  int free = 0;
+  for (int i = 0; i < kProbes * kProbes; ++i) {
+    const Point p{(i % kProbes + 0.5) / kProbes, (i / kProbes + 0.5) / kProbes};
+    free += std::ranges::all_of(set, [&](const Point& q) { return toroidal_distance(p, q) >= distance; });
+  }
+  return free / double{kProbes * kProbes};
+}
+
 TEST(PoissonDisk, KeepsTheDistanceAndHasNoHoles) {
-  for (const auto size : {PoissonDiskSize::small, PoissonDiskSize::medium, PoissonDiskSize::large}) {
-    const auto& set = PoissonDiskSampler::points(size);
-    const double wanted = size == PoissonDiskSize::small ? 16 : size == PoissonDiskSize::medium ? 64 : 256;
-    EXPECT_NEAR(static_cast<double>(set.points.size()), wanted, 0.15 * wanted);
-    EXPECT_GE(least_toroidal_distance(set.points), set.distance);
-    // Hardly any place is left for another point.
-    int free = 0;
-    constexpr int kProbes = 100;
-    for (int i = 0; i < kProbes * kProbes; ++i) {
-      const Point p{(i % kProbes + 0.5) / kProbes, (i / kProbes + 0.5) / kProbes};
-      free += std::ranges::all_of(set.points, [&](const Point& q) { return toroidal_distance(p, q) >= set.distance; });
+  for (const auto algorithm : {PoissonDiskAlgorithm::darts, PoissonDiskAlgorithm::bridson})
+    for (const auto size : {PoissonDiskSize::small, PoissonDiskSize::medium, PoissonDiskSize::large}) {
+      const auto& set = PoissonDiskSampler::points(size, algorithm);
+      const double wanted = points_of(size);
+      EXPECT_NEAR(static_cast<double>(set.points.size()), wanted, 0.15 * wanted);
+      EXPECT_GE(least_toroidal_distance(set.points), set.distance);
+      // Hardly any place is left for another point.
+      EXPECT_LT(share_of_holes(set.points, set.distance), 0.005);
     }
-    EXPECT_LT(free, 0.005 * kProbes * kProbes);
+}
+
+// Any prefix of best candidates keeps a distance that is a large share of that of the hexagonal grid with as many points;
+// random points come as close as 1/N on average.
+TEST(PoissonDisk, PrefixesOfBestCandidatesAreEven) {
+  for (const auto size : {PoissonDiskSize::small, PoissonDiskSize::medium, PoissonDiskSize::large}) {
+    const auto& set = PoissonDiskSampler::points(size, PoissonDiskAlgorithm::best_candidate);
+    EXPECT_EQ(static_cast<double>(set.points.size()), points_of(size));
+    EXPECT_NEAR(least_toroidal_distance(set.points), set.distance, 1e-12);
+    for (size_t count = 8; count <= set.points.size(); count *= 2) {
+      const std::vector<Point> prefix(set.points.begin(), set.points.begin() + static_cast<std::ptrdiff_t>(count));
+      const double largest = std::sqrt(2 / (std::sqrt(3.0) * static_cast<double>(count)));
+      EXPECT_GT(least_toroidal_distance(prefix), 0.55 * largest) << count;
+    }
   }
 }
 

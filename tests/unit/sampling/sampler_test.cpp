@@ -67,6 +67,28 @@ TEST_P(EverySampler, EachDimensionIsUniform) {
   }
 }
 
+// The same for sample numbers beyond 2^16 and dimensions beyond 1000; 1 % false alarms in total.
+TEST_P(EverySampler, LateDimensionsOfLateSamplesAreUniform) {
+  constexpr int kBins = 16, kPixels = 4096;
+  constexpr uint32_t kSamples[] = {(1U << 16) + 5, (1U << 31) + 3}, kBlocks[] = {125, 1250};
+  const double significance = 1 - std::pow(0.99, 1.0 / (kBlockSize * std::size(kSamples) * std::size(kBlocks)));
+  for (const uint32_t s : kSamples)
+    for (const uint32_t block : kBlocks) {
+      std::array<std::array<int, kBins>, kBlockSize> counts{};
+      for (uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+        SampleBlock values;
+        sampler_->block(mix_bits(pixel + 23), s, block, values);
+        for (size_t i = 0; i < values.size(); ++i) ++counts[i][static_cast<size_t>(values[i] * kBins)];
+      }
+      for (size_t i = 0; i < kBlockSize; ++i) {
+        double statistic = 0;
+        for (const int n : counts[i]) statistic += sqr(n - double{kPixels} / kBins) / (double{kPixels} / kBins);
+        EXPECT_GT(equations::chi_square_survival(statistic, kBins - 1), significance)
+            << "sample " << s << " block " << block << " dimension " << i;
+      }
+    }
+}
+
 // In the first samples of many pixels, pairs of dimensions and neighbouring pixels are uncorrelated within 4.5 standard
 // errors (1.3e-2 false alarms over all pairs and samplers). Seeds of dimensions or pixels in arithmetic progression fail.
 TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
@@ -150,8 +172,12 @@ INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::ValuesIn(all_names()),
 TEST(SamplerRegistry, ListsAllSamplersStartingWithSobol) {
   const auto names = all_names();
   EXPECT_EQ(std::vector<std::string>(names.begin(), names.begin() + 4),
-            (std::vector<std::string>{"sobol", "halton", "stratified", "random"}));
+            (std::vector<std::string>{"sobol", "pmj02", "halton", "stratified"}));
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  for (const auto& info : sampler_infos()) {
+    EXPECT_EQ(info.joint_dimensions == 0, info.independent) << info.name;
+    EXPECT_FALSE(info.padding.empty()) << info.name;
+  }
   EXPECT_EQ(find_sampler("no-such"), nullptr);
   EXPECT_EQ(make_sampler("no-such"), nullptr);
   EXPECT_EQ(find_sampler("stratified")->parameters.at(0).name, "side");
