@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "light/environments/uniform.h"
+#include "render/default_light.h"
 #include "render/document.h"
 #include "render/structure_json.h"
 
@@ -15,7 +16,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 // Recorded completely, because images are displayed without opening their scene.
 constexpr const char* kDisplaySection = "display";
 
@@ -132,13 +133,22 @@ Result<void> restore_automatic(Document& document, const json& state, const std:
   return {};
 }
 
-// In version 1 a scene without lights had a uniform environment, and no tone curve unless the state names one.
-void restore_version_1(Document& document) {
+// The defaults of scenes without lights in earlier versions. The environment was visible. In version 1 it was uniform,
+// and there was no tone curve unless the state names one.
+void restore_defaults(Document& document, int version) {
   if (!document.lit_by_default) return;
-  document.display = Display{};
+  const bool is_uniform = version == 1;
+  if (is_uniform) document.display = Display{};
   auto scene = std::make_shared<scene::Scene>(*document.scene);
-  scene->environment = make_environment(kUniform);
+  scene->environment = make_environment(is_uniform ? kUniform : builtin_environments().front());
   document.scene = std::move(scene);
+}
+
+// States name the visibility of an environment only if it differs from that of the scene as it was opened.
+Result<Document> with_environment_of_state(const Document& document, const std::string& file) {
+  const bool visible = document.scene->environment.visible;
+  auto changed = with_environment(document, file);
+  return changed ? with(*changed, "environment.visible", Value(visible)) : changed;
 }
 
 }  // namespace
@@ -177,9 +187,11 @@ Result<Document> document_from_state(const std::string& text, const std::string&
     return invalid_state(source);
   auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
   if (!document) return document;
-  if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
+  const int version =
+      state.contains("version") && state["version"].is_number_integer() ? state["version"].get<int>() : 1;
+  if (version < kVersion) restore_defaults(*document, version);
   if (state.contains("environment") && state["environment"].is_string()) {
-    document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
+    document = with_environment_of_state(*document, resolved(state["environment"].get<std::string>(), source));
     if (!document) return document;
   }
   if (auto ok = restore_structure(*document, state, source); !ok) return ok.error();

@@ -244,6 +244,14 @@ Rgb EnvironmentMap::radiance(const Vec3& direction) const {
   return sun_ ? radiance + sun_->radiance(direction) : radiance;
 }
 
+Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
+  if (!shows_backdrop()) return radiance(direction);
+  // The mean radiance is about that of a white surface.
+  constexpr float kBelow = 0.28f, kAbove = 0.5f;
+  const float t = std::clamp(0.5f + 0.8f * direction.y, 0.0f, 1.0f);
+  return Rgb(luminance(mean_) * mix(kBelow, kAbove, t * t * (3 - 2 * t)));
+}
+
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u, bool compensated) const {
   const Density& density = density_for(compensated);
   if (!sun_) return sample_map(u, density);

@@ -29,11 +29,17 @@ class EnvironmentMap {
   explicit EnvironmentMap(const Environment& environment);
 
   bool black() const { return environment_.black(); }
-  bool visible() const { return environment_.visible; }
+  // Whether camera rays that leave the scene see anything: the environment, or the backdrop in its place.
+  bool visible() const { return environment_.visible || environment_.backdrop; }
   // Null: the colours determine the spectra.
   const EmissionSpectrum* spectrum() const { return environment_.spectrum.spectrum.get(); }
   // cd/m^2, from a unit direction.
   Rgb radiance(const Vec3& direction) const;
+  // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above that is
+  // darker than a white surface in this environment. It emits no light.
+  Rgb seen_radiance(const Vec3& direction) const;
+  const EmissionSpectrum* seen_spectrum() const { return shows_backdrop() ? nullptr : spectrum(); }
+  bool shows_backdrop() const { return !environment_.visible && environment_.backdrop; }
   struct Sample {
     Vec3 direction;
     float pdf_solid_angle;

@@ -124,15 +124,17 @@ template <class M, class Weigh>
 void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const LightTable& lights = paths.scene().lights();
   const EnvironmentMap& map = lights.environment();
-  if (map.black() || (paths.length() == 1 && !map.visible())) return;
+  const bool is_seen = paths.length() == 1;
+  if (map.black() || (is_seen && !map.visible())) return;
+  const EmissionSpectrum* spectrum = is_seen ? map.seen_spectrum() : map.spectrum();
   const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.miss_count(); ++i) {
     auto& path = paths.missed_path(i);
     const Vec3& direction = paths.miss_direction(i);
-    const Rgb radiance = map.radiance(direction);
+    const Rgb radiance = is_seen ? map.seen_radiance(direction) : map.radiance(direction);
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) *
-                              paths.color().emission(paths.path_of_miss(i), radiance, map.spectrum()) * weight;
+                              paths.color().emission(paths.path_of_miss(i), radiance, spectrum) * weight;
     path.radiance += contribution;
     if (recording) [[unlikely]]
       record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);

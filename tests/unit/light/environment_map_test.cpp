@@ -200,6 +200,34 @@ TEST(EnvironmentMap, UniformMapEqualsAConstant) {
   EXPECT_EQ(map.mean_radiance(), constant.mean_radiance());
 }
 
+// The backdrop replaces what camera rays see of a hidden environment: grey, brighter above, and darker than the mean
+// radiance, which is that of a white surface. The light does not change.
+TEST(EnvironmentMap, BackdropIsSeenButEmitsNoLight) {
+  Environment e = environment(16, 8, [](int x, int y) { return Rgb(static_cast<float>(x + y), 3, 1); });
+  const EnvironmentMap shown(e);
+  e.visible = false;
+  const EnvironmentMap hidden(e);
+  EXPECT_FALSE(hidden.visible());
+  e.backdrop = true;
+  const EnvironmentMap map(e);
+  EXPECT_TRUE(map.visible());
+  EXPECT_EQ(map.seen_spectrum(), nullptr);
+  const float mean = luminance(map.mean_radiance());
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 direction = shown.sample(spread(i)).direction;
+    EXPECT_EQ(shown.seen_radiance(direction), shown.radiance(direction));
+    EXPECT_EQ(map.radiance(direction), shown.radiance(direction));
+    EXPECT_EQ(map.pdf_solid_angle(direction), shown.pdf_solid_angle(direction));
+    const Rgb seen = map.seen_radiance(direction);
+    EXPECT_EQ(seen, Rgb(seen.r));
+    EXPECT_GE(seen.r, 0.27f * mean);
+    EXPECT_LE(seen.r, 0.51f * mean);
+  }
+  EXPECT_LT(map.seen_radiance({0, -1, 0}).r, map.seen_radiance({0, 1, 0}).r);
+  e.visible = true;
+  EXPECT_FALSE(EnvironmentMap(e).shows_backdrop()) << "a visible environment has none";
+}
+
 TEST(EnvironmentMap, BlackMapHasNoDensity) {
   const EnvironmentMap map(environment(4, 2, [](int, int) { return Rgb(0); }));
   EXPECT_EQ(map.pdf_solid_angle(direction_at(0.3f, 0.4f)), 0);
