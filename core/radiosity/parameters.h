@@ -58,7 +58,7 @@ struct Parameters {
                            "Relaxation factor",
                            1,
                            {0.01f, 4},
-                           "Of successive over-relaxation. It can converge between 0 and 2"};
+                           "Factor of successive over-relaxation; the iteration can converge between 0 and 2"};
   Number<int> memory_limit{"memory-limit",
                            "Memory limit",
                            2048,

@@ -83,14 +83,15 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
       "becomes a pattern"};
   Toggle full{"full-bsdf", "Full BSDF of virtual lights", false,
               "Virtual lights scatter by the BSDF of their surface. Off: diffusely"};
-  Number<float> bound{
-      "bound",
-      "Clamp geometry term",
-      0,
-      {0, 1e9f},
-      "Maximum of cos cos / r^2 of a connection; 0: no clamping. Lower values remove splotches and darken corners",
-      "1/m^2",
-      Scale::logarithmic};
+  Number<float> bound{"bound",
+                      "Clamp geometry term",
+                      0,
+                      {0, 1e9f},
+                      "Maximum of cos\u03b8 cos\u03b8\u2032 / r\u00b2 of a connection; 0: no clamping. Lower values "
+                      "remove splotches and "
+                      "darken corners",
+                      "1/m\u00b2",
+                      Scale::logarithmic};
   Toggle compensate{"compensate", "Bias compensation", true,
                     "Estimates the clamped light by BSDF sampling: removes the bias, adds noise"};
   Toggle renew{"renew", "New lights per sample", true,
