@@ -38,6 +38,13 @@ json error_messages(const AppState& state) {
   return errors;
 }
 
+// All messages since the start, oldest first.
+json all_messages(const AppState& state) {
+  json messages = json::array();
+  for (const auto& entry : state.notices.log()) messages.push_back(entry.text);
+  return messages;
+}
+
 json document_parameters(const AppState& state) {
   json parameters = json::object();
   if (!state.has_document()) return parameters;
@@ -73,6 +80,19 @@ json aov_report(const AovImage& image) {
   return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
 }
 
+// Characters of names and messages that a font of the interface does not have.
+size_t missing_glyphs(const UiContext& ui) {
+  size_t most = 0;
+  for (const ImFont* font : {ui.fonts.text, ui.fonts.monospace, ui.fonts.small})
+    most = std::max(most, count_missing(*font, ui.glyphs));
+  return most;
+}
+
+const char* darkness_name(Darkness darkness) {
+  constexpr const char* kNames[] = {"none", "surfaces are black", "no surfaces"};
+  return kNames[static_cast<size_t>(darkness)];
+}
+
 // The former name of a bottom panel, "sheet.health" for "panel.reliability"; an empty text for none.
 std::string sheet_name(const Panel* panel) {
   if (!panel) return "";
@@ -93,8 +113,10 @@ std::string state_report(AppState& state) {
          {"edited", editor.has_unsaved_scene_edits()},
          {"session", state.files.session_file},
          {"ui_scale", state.ui.scale},
+         {"glyphs", {{"added", state.ui.glyphs.characters().size()}, {"missing", missing_glyphs(state.ui)}}},
          {"messages", state.notices.log().size()},
          {"errors", error_messages(state)},
+         {"log", all_messages(state)},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},
          {"undo", editor.undo_name()},
@@ -107,11 +129,13 @@ std::string state_report(AppState& state) {
          {"scene", editor.document().scene_name},
          {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}}},
          {"popup_open", state.interface.popup_open},
+         {"palette_selection_is_visible", state.ui.items.find("palette.selected") != nullptr},
          {"tab", tab ? tab->info().name : ""},
          {"bottom_panel", bottom_panel ? bottom_panel->info().name : ""},
          {"sheet", sheet_name(bottom_panel)},
          {"comparison", comparison_report(*state.viewport.comparison)},
          {"zoom", state.viewport.zoom.scale},
+         {"darkness", darkness_name(state.viewport.darkness)},
          {"image", placement_json(state.viewport.image)},
          {"points", nullptr},
          {"aov", nullptr},

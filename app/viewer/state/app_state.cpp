@@ -130,6 +130,13 @@ void AppState::save_session_as() {
                               }};
 }
 
+void AppState::show_parameter(const std::string& name) {
+  if (!panels.reveal_parameter(*this, name)) return;
+  interface.visible = true;
+  interface.panel_filter.clear();
+  ui.items.point_out(name);
+}
+
 void AppState::after_unsaved_edits(std::function<void(AppState&)> proceed) {
   if (has_document() && editor->has_unsaved_scene_edits())
     files.after_unsaved_edits = std::move(proceed);
