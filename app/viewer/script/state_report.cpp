@@ -30,12 +30,12 @@ json percentiles(std::vector<double> values) {
   return j;
 }
 
-// The errors since the start, oldest first.
-json error_messages(const AppState& state) {
-  json errors = json::array();
+// The messages since the start, oldest first: all of them, or errors only.
+json messages(const AppState& state, bool errors_only) {
+  json list = json::array();
   for (const auto& entry : state.notices.log())
-    if (entry.is_error) errors.push_back(entry.text);
-  return errors;
+    if (entry.is_error || !errors_only) list.push_back(entry.text);
+  return list;
 }
 
 json document_parameters(const AppState& state) {
@@ -94,7 +94,8 @@ std::string state_report(AppState& state) {
          {"session", state.files.session_file},
          {"ui_scale", state.ui.scale},
          {"messages", state.notices.log().size()},
-         {"errors", error_messages(state)},
+         {"log", messages(state, false)},
+         {"errors", messages(state, true)},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},
          {"undo", editor.undo_name()},

@@ -123,6 +123,8 @@ std::string widgets_json() {
   json list = json::array();
   for (const auto& action : actions.all()) {
     json entry = item_entry(action.name, action.label, action.tooltip);
+    entry["menu"] = action.menu;
+    entry["submenu"] = action.submenu;
     entry["shortcut"] = json::array();
     for (const Chord& chord : action.chords()) entry["shortcut"].push_back(label(chord));
     list.push_back(entry);

@@ -118,6 +118,7 @@ void radiance_swatch(AppState& state, ColorParameters rgb) {
   if (!ImGui::BeginPopup("##picker")) return;
   if (ImGui::ColorPicker3("##color", &shown.r, ImGuiColorEditFlags_DisplayHex))
     set_color(state, rgb, linear_from_srgb(shown) * scale);
+  state.ui.items.add(name_of(rgb) + ".picker");
   if (ImGui::IsItemDeactivatedAfterEdit()) state.editor->end_gesture();
   ImGui::EndPopup();
 }
@@ -133,7 +134,8 @@ void temperature_widget(AppState& state, const std::string& name, const std::str
   info.name = item;
   info.label = "Temperature";
   info.doc =
-      "Temperature of the black body whose colour is nearest to this one. Sets the colour; higher temperatures are bluer";
+      "Temperature of the black body whose colour is nearest to this one. Sets the colour; higher temperatures are "
+      "bluer";
   info.unit = "K";
   info.min = kMinTemperature;
   info.max = kMaxTemperature;

@@ -87,7 +87,7 @@ std::vector<ListedOption> options_by_group(const ParameterInfo& info) {
 
 }  // namespace
 
-std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected) {
+std::optional<Value> option_list(UiContext& ui, const ParameterInfo& info, size_t selected) {
   std::optional<Value> chosen;
   const char* group = nullptr;
   for (const auto& [i, option] : options_by_group(info)) {
@@ -98,6 +98,7 @@ std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info,
     const float indent = ImGui::GetFontSize() * 0.6f;
     if (option.group) ImGui::Indent(indent);
     if (ImGui::Selectable(info.option_labels[i].c_str(), i == selected)) chosen = info.options[i];
+    ui.items.add(info.name + "=" + info.options[i]);
     if (ImGui::IsItemHovered()) tooltip(ui, option.tooltip);
     if (option.group) ImGui::Unindent(indent);
   }

@@ -25,7 +25,7 @@ void describe_item(UiContext& ui, const ParameterInfo& info);
 WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed = 0);
 
 // The options of a choice, to be called in an open combo box. Returns the option that was chosen.
-std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected);
+std::optional<Value> option_list(UiContext& ui, const ParameterInfo& info, size_t selected);
 
 // The context menu of the last item, a parameter of the document: reset, copy. Returns true if it is to be reset. To be
 // called where the ID of the parameter is on the stack.
