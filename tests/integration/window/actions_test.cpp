@@ -43,11 +43,11 @@ std::string xdotool_keys(std::string label) {
   return label;
 }
 
-// Actions that have no entry in this test, and where they are tested instead.
-const std::set<std::string> kTestedElsewhere{
+// Actions that these tests do not choose, with the reason.
+const std::set<std::string> kLeftOut{
     "app.quit",        // window.Window.QuittingAsksAboutUnsavedEdits
-    "file.cancel",     // enabled only while a file is opened: viewer.Viewer.LoadingCanBeCancelled
-    "animation.play",  // window.AnimatedScene.Plays
+    "file.cancel",     // enabled only while a file is opened; no test chooses it
+    "animation.play",  // viewer.FirstView.AnimationsPlayWithoutEditingTheScene
 };
 
 // What makes an action enabled in the Cornell box: other actions; "image", a click on a surface;
@@ -165,7 +165,7 @@ TEST_P(ActionsOfMenu, EveryEntry) {
   int chosen = 0;
   for (const json& action : all_actions()) {
     const std::string name = action["name"];
-    if (action["menu"] != GetParam() || kTestedElsewhere.contains(name)) continue;
+    if (action["menu"] != GetParam() || kLeftOut.contains(name)) continue;
     prepare(name);
     if (HasFatalFailure()) return;
     if (!becomes_enabled(name)) {
@@ -195,7 +195,7 @@ TEST_F(Actions, WithoutMenuByPalette) {
   int chosen = 0;
   for (const json& action : all_actions()) {
     const std::string name = action["name"];
-    if (action["menu"] != "" || kTestedElsewhere.contains(name)) continue;
+    if (action["menu"] != "" || kLeftOut.contains(name)) continue;
     prepare(name);
     if (HasFatalFailure()) return;
     if (!becomes_enabled(name)) {
