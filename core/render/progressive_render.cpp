@@ -218,7 +218,7 @@ film::Film ProgressiveRender::film_copy() const {
 
 ResumePoint ProgressiveRender::resume_point() const {
   if (film_is_stale_ || !renderer_) return film_copy();
-  return {film_.film(), renderer_->integrator_state()};
+  return {film_.film(), renderer_->integrator_state(), tail_states()};
 }
 
 std::vector<film::TailState> ProgressiveRender::tail_states() const {
