@@ -11,6 +11,7 @@
 
 #include "advisor/method_choice.h"
 #include "base/number_text.h"
+#include "base/provided_files.h"
 #include "bench/reference_key.h"
 #include "cluster/checkpoint_ranges.h"
 #include "cluster/mpi_job.h"
@@ -36,14 +37,15 @@ namespace etendue::cli {
 namespace {
 
 constexpr uint32_t kDefaultSamples = 64;  // per pixel, without any limit
+constexpr const char* kFromRank0 = "rank0";
 
 struct RenderArguments {
   SceneArguments scene;
   PartArguments part;
-  std::string out, png, integrator, sampler, aovs, json, resume, like, measure;
+  std::string out, png, integrator, sampler, aovs, json, resume, like, measure, scene_from;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
-  int threads = 0, max_depth = -1;
+  int threads = 0, max_depth = -1, collectors = -1;
   int64_t seed = -1;
   double exposure = NAN;
 };
@@ -71,11 +73,11 @@ Result<Start> start_from_checkpoint(const std::string& file) {
   if (const auto& region = document->part.region; region && !is_inside(*region, document->width, document->height))
     return input_error(file + ": its region is not a part of the image; render this part again");
   auto ranges = cluster::ranges_of(checkpoint->state, checkpoint->film.samples(0, 0));
-  return Start{
-      .document = std::move(*document),
-      .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),
-      .seconds = checkpoint->seconds,
-      .ranges = std::move(ranges)};
+  return Start{.document = std::move(*document),
+               .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state),
+                                                   std::move(checkpoint->tails)),
+               .seconds = checkpoint->seconds,
+               .ranges = std::move(ranges)};
 }
 
 Result<Start> start_like(const std::string& file) {
@@ -268,7 +270,8 @@ class RenderJob {
     return render::write_checkpoint(checkpoint_file_, {.state = render::state_json(document_, status.samples),
                                                        .film = std::move(point.film),
                                                        .seconds = status.seconds + earlier_seconds_,
-                                                       .integrator_state = std::move(point.integrator_state)});
+                                                       .integrator_state = std::move(point.integrator_state),
+                                                       .tails = std::move(point.tails)});
   }
 
   // A part has no certificate, because its samples alone are not the image.
@@ -365,13 +368,17 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
   std::optional<RenderedSamples> rendered;
   if (start.resume_point) {
     if (auto ok = complete_sample(a, start); !ok) return fail(ok.error());
-    rendered = {std::move(start.resume_point->film), std::move(start.ranges), start.seconds};
+    rendered = {{std::move(start.resume_point->film), std::move(start.resume_point->tails)},
+                std::move(start.ranges),
+                start.seconds};
   }
   const RanksArguments arguments{
       .files = {.out = a.out, .png = a.png, .json = a.json, .aovs = std::move(aovs), .threads = a.threads},
       .checkpoint_file = checkpoint_file_of(a),
       .checkpoint_interval = a.checkpoint_interval,
-      .resumes = !a.resume.empty()};
+      .resumes = !a.resume.empty(),
+      .sends_scene = a.scene_from == kFromRank0,
+      .collectors = a.collectors >= 0 ? std::optional(a.collectors) : std::nullopt};
   return render_on_ranks(ranks, start.document, arguments, std::move(rendered));
 }
 
@@ -390,6 +397,9 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (!a.resume.empty())
     if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
   const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
+  // A single rank renders what does not divide as a process without mpirun does.
+  const bool is_alone = !ranks || ranks->size() == 1;
+  if (is_alone && (writes_part || !ranks_incompatibility(start->document).empty())) ranks = nullptr;
   if (writes_part && !ranks)
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
   print_warnings(start->document);
@@ -403,6 +413,7 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
 
 int run_render_command(const RenderArguments& a) {
   if (!cluster::is_mpi_job()) return run_render(a, nullptr);
+  if (a.scene_from == kFromRank0) record_files_read();
   return run_on_ranks(a.threads, [&](cluster::Communicator& ranks) { return run_render(a, &ranks); });
 }
 
@@ -465,8 +476,20 @@ Command render_command() {
                    .doc = "Continue from this checkpoint; other options may repeat its settings"},
                   {.names = "--like",
                    .target = &a->like,
-                   .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
-      .run = [a] { return run_render_command(*a); }};
+                   .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"},
+                  {.names = "--scene-from",
+                   .target = &a->scene_from,
+                   .doc = "Where the ranks of a job of mpirun read the scene: each from disk (the default), or from "
+                          "rank0, which sends all files of the scene to the others",
+                   .choices = {"disk", kFromRank0}},
+                  {.names = "--collectors",
+                   .target = &a->collectors,
+                   .doc =
+                       "Number of ranks of a job of mpirun that add results for rank 0; default: none, or the square "
+                       "root of the number of ranks if rank 0 would be too slow",
+                   .bounds = between(0, 10'000)}},
+      .run = [a] { return run_render_command(*a); },
+      .supports_ranks = true};
 }
 
 }  // namespace etendue::cli

@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/file.h"
+#include "base/provided_files.h"
 #include "bench/reference_key.h"
 #include "cluster/checkpoint_ranges.h"
 #include "cluster/mpi_job.h"
@@ -45,6 +47,16 @@ render::Document part_of(render::Document document) {
 std::atomic<bool> checkpoint_requested{false};
 void request_checkpoint(int) { checkpoint_requested = true; }
 
+// The files that this process has read to open the document. Those that have disappeared since are left out; the other
+// ranks report them.
+std::vector<ProvidedFile> files_of_scene(const std::string& checkpoint_file) {
+  std::vector<ProvidedFile> files;
+  for (const std::string& path : files_read())
+    if (path != checkpoint_file)
+      if (auto bytes = read_file(path)) files.push_back({path, std::move(*bytes)});
+  return files;
+}
+
 class RanksJob {
  public:
   RanksJob(cluster::Communicator& communicator, const render::Document& document, const RanksArguments& a,
@@ -73,8 +85,10 @@ class RanksJob {
     cluster::ManagerSetup setup{.document = document,
                                 .identity = {ETENDUE_VERSION, bench::image_key(document)},
                                 .threads = threads_of_rank(a.files.threads)};
+    setup.schedule.collectors = a.collectors;
+    if (a.sends_scene) setup.files = files_of_scene(a.checkpoint_file);
     if (!start) return setup;
-    setup.samples.film = std::move(start->film);
+    setup.samples = std::move(start->samples);
     setup.done = std::move(start->ranges);
     return setup;
   }
@@ -125,7 +139,9 @@ class RanksJob {
     const std::string state = render::state_json(document_, status.samples);
     return render::write_checkpoint(a_.checkpoint_file, {.state = cluster::with_ranges(state, manager_.done()),
                                                          .film = manager_.samples().film,
-                                                         .seconds = status.seconds + earlier_seconds_});
+                                                         .seconds = status.seconds + earlier_seconds_,
+                                                         .integrator_state = {},
+                                                         .tails = manager_.samples().tails});
   }
 
   Result<void> write_image(const render::Status& status) {
@@ -148,10 +164,7 @@ std::string ranks_incompatibility(const render::Document& document) {
 
 int run_on_ranks(int threads, const std::function<int(cluster::Communicator&)>& render) {
   const auto communicator = cluster::join_mpi_job();
-  if (!communicator) {
-    const Error& error = communicator.error();
-    return cluster::launched_rank() == 0 ? fail(error) : static_cast<int>(error.fault);
-  }
+  if (!communicator) return fail_on_all_ranks(communicator.error());
   cluster::Communicator& ranks = **communicator;
   if (ranks.rank() > 0) {
     cluster::run_worker(ranks, {threads_of_rank(threads), ETENDUE_VERSION, bench::image_key});

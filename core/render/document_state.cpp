@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/provided_files.h"
 #include "light/environments/uniform.h"
 #include "render/document.h"
 #include "render/structure_json.h"
@@ -40,7 +41,7 @@ Error invalid_state(const std::string& source) {
 std::string resolved(const std::string& file, const std::string& source) {
   const fs::path beside = fs::path(source).parent_path() / file;
   std::error_code code;
-  return !fs::exists(file, code) && fs::exists(beside, code) ? beside.string() : file;
+  return !provided_file(file) && !fs::exists(file, code) && fs::exists(beside, code) ? beside.string() : file;
 }
 
 // How a state in `folder` refers to a file: by a path relative to the folder if the file is in it or below, otherwise
