@@ -29,13 +29,56 @@ struct MethodResult {
   // The average image of the repeats and the mean of their MSE; together they separate bias from variance.
   std::vector<double> mean_image;
   double mean_mse = 0;
-  std::shared_ptr<const render::Reliability> reliability;  // of the last repeat; null while there are too few samples
+  std::optional<double> khat;   // of the last repeat (film/tail.h); nothing if there is no tail
+  bool has_heavy_tail = false;  // its error estimate is unreliable (render/reliability.h)
 };
 
 struct Outcome {
   std::vector<MethodResult> methods;
   bool interrupted = false;
 };
+
+// The result of one repeat of one method.
+struct RepeatResult {
+  size_t method = 0;
+  std::string failure = {};  // why another renderer failed; the rest is then empty
+  metrics::ErrorCurve curve = {};
+  std::vector<float> image = {};
+  double rays_per_second = 0;
+  std::optional<double> startup_seconds = {};
+  std::optional<double> khat = {};
+  bool has_heavy_tail = false;
+};
+
+// The number of repeats of all methods together. They are numbered in the order in which they are rendered: the first
+// repeat of each method, the second of each, and so on.
+size_t unit_count(const Plan& plan);
+
+// Builds the outcome from results in the order of their numbers.
+class OutcomeBuilder {
+ public:
+  // `incompatibilities` has one text per method, empty for methods that can render the scene.
+  OutcomeBuilder(const Plan& plan, const std::vector<std::string>& incompatibilities);
+  // Methods without results are not rendered any more.
+  bool is_measured(size_t method) const { return outcome_.methods[method].incompatibility.empty(); }
+  void add(RepeatResult result);
+  Outcome take(bool interrupted) {
+    outcome_.interrupted = interrupted;
+    return std::move(outcome_);
+  }
+
+ private:
+  Outcome outcome_;
+};
+
+// The results of the repeats with the numbers from `first` to `end` - 1.
+struct PartOutcome {
+  std::vector<std::string> incompatibilities;  // one per method
+  std::vector<RepeatResult> repeats;           // without those of methods that are incompatible or have failed before
+  bool interrupted = false;
+};
+PartOutcome run_part(render::Session& session, const Plan& plan, size_t first, size_t end, const Reference& reference,
+                     const Progress& progress);
 
 // Measures errors at 1, 2, 3, 4, 6, 8, 12 ... samples per pixel and at the end of each repeat; only rendering is timed.
 // Other renderers start again for each measurement, at 1, 2, 4, 8 ... samples; a repeat therefore takes about twice its
