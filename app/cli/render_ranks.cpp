@@ -27,13 +27,6 @@ namespace {
 
 constexpr double kProgressInterval = 0.1;  // seconds
 
-// Threads of this process: the processes of one machine share its hardware threads.
-int threads_of_rank(int threads) {
-  if (threads > 0 || cluster::processes_on_machine() == 1) return threads;
-  const int available = static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, available / cluster::processes_on_machine());
-}
-
 // The part of the image that the ranks give each other.
 render::Document part_of(render::Document document) {
   document.part.first_sample = 1;
@@ -141,6 +134,12 @@ class RanksJob {
 };
 
 }  // namespace
+
+int threads_of_rank(int threads) {
+  if (threads > 0 || cluster::processes_on_machine() == 1) return threads;
+  const int available = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, available / cluster::processes_on_machine());
+}
 
 std::string ranks_incompatibility(const render::Document& document) {
   return render::division_incompatibility(part_of(document));

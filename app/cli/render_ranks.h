@@ -25,6 +25,10 @@ struct RenderedSamples {
   double seconds = 0;
 };
 
+// The number of threads of this process, for the argument of --threads: without one, the processes of a machine share
+// its hardware threads.
+int threads_of_rank(int threads);
+
 // Why a document cannot be rendered by several ranks; empty if it can.
 std::string ranks_incompatibility(const render::Document& document);
 

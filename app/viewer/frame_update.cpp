@@ -7,6 +7,7 @@
 #include "light/environments/uniform.h"
 #include "render/default_light.h"
 #include "render/session.h"
+#include "render/shared_sampling.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
@@ -203,6 +204,8 @@ void update_pivot(AppState& state) {
 }  // namespace
 
 void update_state(AppState& state, ImageView& live_image) {
+  if (state.options.sharing)
+    for (const std::string& message : state.options.sharing->take_messages()) state.notices.add_message(message);
   take_opened_file(state);
   take_saved_files(state);
   take_saved_session(state);

@@ -13,7 +13,7 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
-// Functions return at once unless stated otherwise. They are called from one thread.
+// Functions return at once unless stated otherwise. They are called from one thread at a time.
 class Communicator {
  public:
   virtual int rank() const = 0;

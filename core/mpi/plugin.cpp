@@ -128,7 +128,8 @@ class MpiCommunicator final : public cluster::Communicator {
 
 cluster::Communicator* join() {
   int provided = 0;
-  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) return nullptr;
+  // One thread at a time, which need not be the same: the viewer joins the job on its main thread.
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS) return nullptr;
   static MpiCommunicator communicator;
   return &communicator;
 }

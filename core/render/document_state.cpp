@@ -7,6 +7,7 @@
 
 #include "light/environments/uniform.h"
 #include "render/document.h"
+#include "render/state_opener.h"
 #include "render/structure_json.h"
 
 namespace etendue::render {
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr int kVersion = 2;
 // Recorded completely, because images are displayed without opening their scene.
 constexpr const char* kDisplaySection = "display";
+constexpr const char* kEnvironmentSection = "environment";
 
 std::optional<Value> from_json(const json& j) {
   if (j.is_boolean()) return Value(j.get<bool>());
@@ -65,10 +67,18 @@ std::map<std::string, Value> values_of(const Document& document, const std::stri
 // Whether a parameter decides which other parameters its section has.
 bool selects_parameters(const std::string& name) { return name.ends_with(".model") || name.ends_with(".preset"); }
 
-// Applies those settings that select parameters, or the others.
-Result<Document> with_settings(Document document, const json& settings, bool selecting, const std::string& source) {
+// The order in which settings are applied. An edit of an RGB coefficient removes its spectrum, so spectra are last.
+enum class SettingKind { selection, value, spectrum };
+
+SettingKind kind_of_setting(const std::string& name) {
+  if (selects_parameters(name)) return SettingKind::selection;
+  return name.ends_with("-spectrum") ? SettingKind::spectrum : SettingKind::value;
+}
+
+// Applies the settings of a kind.
+Result<Document> with_settings(Document document, const json& settings, SettingKind kind, const std::string& source) {
   for (const auto& [name, j] : settings.items()) {
-    if (selects_parameters(name) != selecting) continue;
+    if (kind_of_setting(name) != kind) continue;
     const auto value = from_json(j);
     if (!value) return invalid_state(source);
     auto changed = with(document, name, *value);
@@ -141,6 +151,73 @@ void restore_version_1(Document& document) {
   document.scene = std::move(scene);
 }
 
+Result<json> parsed(const std::string& text, const std::string& source) {
+  json state = json::parse(text, nullptr, false);
+  if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
+      !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
+    return invalid_state(source);
+  return state;
+}
+
+// The document of the scene, the camera and the environment that a state names, with their own settings.
+Result<Document> opened_document(const json& state, const std::string& source) {
+  auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
+  if (!document) return document;
+  if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
+  if (state.contains("environment") && state["environment"].is_string())
+    document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
+  return document;
+}
+
+// The members of a state on which `opened_document` depends.
+std::string scene_text_of(const json& state) {
+  json members = json::object();
+  for (const char* name : {"scene", "camera", "environment", "version"})
+    if (state.contains(name)) members[name] = state[name];
+  return members.dump();
+}
+
+// An opened document with the edits of a state.
+Result<Document> with_state(Document document, const json& state, const std::string& source) {
+  if (auto ok = restore_structure(document, state, source); !ok) return ok.error();
+  for (const SettingKind kind : {SettingKind::selection, SettingKind::value, SettingKind::spectrum}) {
+    auto changed = with_settings(std::move(document), state["settings"], kind, source);
+    if (!changed) return changed;
+    document = std::move(*changed);
+  }
+  if (auto ok = restore_automatic(document, state, source); !ok) return ok.error();
+  return document;
+}
+
+// The first setting in which a document differs from a state; empty if there is none.
+std::string different_setting(const Document& document, const json& state) {
+  const json settings = json::parse(state_json(document, 0))["settings"];
+  const json& expected = state["settings"];
+  for (const auto& [name, value] : expected.items())
+    if (!settings.contains(name) || settings[name] != value) return name;
+  for (const auto& [name, value] : settings.items())
+    if (!expected.contains(name)) return name;
+  return "";
+}
+
+// The settings in which two states differ, if the document of `to` is that of `from` with these settings. Null
+// otherwise: other members differ, a setting has its original value again, or one differs that affects others.
+json changed_settings(const json& from, const json& to) {
+  if (!from.is_object() || from.size() != to.size()) return {};
+  for (const auto& [name, value] : from.items())
+    if (name != "settings" && (!to.contains(name) || to[name] != value)) return {};
+  const json &before = from["settings"], &after = to["settings"];
+  for (const auto& [name, value] : before.items())
+    if (!after.contains(name)) return {};
+  json changes = json::object();
+  for (const auto& [name, value] : after.items()) {
+    if (before.contains(name) && before[name] == value) continue;
+    if (kind_of_setting(name) != SettingKind::value) return {};
+    changes[name] = value;
+  }
+  return changes;
+}
+
 }  // namespace
 
 std::string state_json(const Document& document, uint32_t samples, const std::string& folder) {
@@ -148,11 +225,18 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   const auto origin = origin_with_structure(document);
   for (const auto& section : sections(document)) {
     const auto original = origin ? values_of(*origin, section) : std::map<std::string, Value>();
-    for (const auto& [name, value] : values_of(document, section)) {
-      const auto found = original.find(name);
-      const bool is_changed = found == original.end() || found->second != value;
-      if (is_changed || section == kDisplaySection) settings[name] = to_json_value<json>(value);
-    }
+    const auto values = values_of(document, section);
+    const auto is_changed = [&](const auto& setting) {
+      const auto found = original.find(setting.first);
+      return found == original.end() || found->second != setting.second;
+    };
+    // Selecting an environment changes its other parameters, so all of them are recorded then.
+    const bool is_complete = section == kDisplaySection ||
+                             (section == kEnvironmentSection && std::ranges::any_of(values, [&](const auto& setting) {
+                                return selects_parameters(setting.first) && is_changed(setting);
+                              }));
+    for (const auto& setting : values)
+      if (is_complete || is_changed(setting)) settings[setting.first] = to_json_value<json>(setting.second);
   }
   json state{{"program", "etendue"},
              {"version", kVersion},
@@ -171,27 +255,52 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
 }
 
 Result<Document> document_from_state(const std::string& text, const std::string& source, uint32_t* samples) {
-  const json state = json::parse(text, nullptr, false);
-  if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
-      !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
-    return invalid_state(source);
-  auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
+  const auto state = parsed(text, source);
+  if (!state) return state.error();
+  const auto opened = opened_document(*state, source);
+  if (!opened) return opened;
+  auto document = with_state(*opened, *state, source);
   if (!document) return document;
-  if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
-  if (state.contains("environment") && state["environment"].is_string()) {
-    document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
-    if (!document) return document;
-  }
-  if (auto ok = restore_structure(*document, state, source); !ok) return ok.error();
-  for (const bool selecting : {true, false}) {
-    document = with_settings(std::move(*document), state["settings"], selecting, source);
-    if (!document) return document;
-  }
-  if (auto ok = restore_automatic(*document, state, source); !ok) return ok.error();
-  if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
-    *samples = state["samples"].get<uint32_t>();
+  if (samples && state->contains("samples") && (*state)["samples"].is_number_unsigned())
+    *samples = (*state)["samples"].get<uint32_t>();
   return document;
 }
+
+struct StateOpener::Opened {
+  std::string name;   // of the scene, the camera and the environment
+  Document document;  // without edits
+  json state;         // the state that was opened last, and its document
+  Document latest;
+};
+
+StateOpener::StateOpener() = default;
+StateOpener::~StateOpener() = default;
+
+Result<Document> StateOpener::open(const std::string& text, const std::string& source) {
+  auto state = parsed(text, source);
+  if (!state) return state.error();
+  const std::string name = scene_text_of(*state);
+  is_reopened_ = !opened_ || opened_->name != name;
+  if (is_reopened_) {
+    opened_.reset();  // frees the memory of the old scene first
+    auto document = opened_document(*state, source);
+    if (!document) return document;
+    opened_ = std::make_unique<Opened>(name, std::move(*document), json(), Document());
+  }
+  Result<Document> document = Document();
+  const json changes = changed_settings(opened_->state, *state);
+  if (!changes.is_null()) document = with_settings(opened_->latest, changes, SettingKind::value, source);
+  if (changes.is_null() || !document || !different_setting(*document, *state).empty())
+    document = with_state(opened_->document, *state, source);
+  if (!document) return document;
+  if (const std::string setting = different_setting(*document, *state); !setting.empty())
+    return input_error(source + ": the setting " + setting + " cannot be applied to " + opened_->document.scene_name);
+  opened_->state = std::move(*state);
+  opened_->latest = *document;
+  return document;
+}
+
+const Document& StateOpener::opened() const { return opened_->document; }
 
 RenderPart part_from_state(const std::string& text) {
   RenderPart part;

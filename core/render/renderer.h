@@ -42,6 +42,13 @@ class Renderer {
       ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& still_needed = [] { return true; });
 
+  // Whether a step has been begun and is not complete.
+  bool is_in_step() const { return !stages_.empty(); }
+  // The next step takes the sample of this number. Between steps only, and not with adaptive sampling.
+  void continue_at(uint32_t sample) { first_sample_ = sample - samples_; }
+  // Samples of others have been added to each pixel of the film.
+  void film_has_received(uint32_t samples) { received_ += samples; }
+
   // Samples per pixel of the document's part after the last complete step; with adaptive sampling the average over the
   // pixels.
   uint32_t samples() const { return samples_; }
@@ -113,6 +120,7 @@ class Renderer {
   size_t tiles_ = 0;                            // in the region
   std::optional<SampleAllocation> allocation_;  // with adaptive sampling
   uint32_t samples_ = 0;
+  uint32_t received_ = 0;  // samples per pixel in the film that others have taken
 
   // The current step; no stages between steps.
   std::vector<Stage> stages_;

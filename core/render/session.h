@@ -28,6 +28,8 @@
 
 namespace etendue::render {
 
+class SharedSampling;
+
 struct Status {
   uint64_t version = 0;  // of the document that is being rendered
   uint32_t samples = 0;  // complete samples of every pixel
@@ -58,6 +60,7 @@ struct SessionOptions {
   // The compiled scene of another session, or null. Parts that the first document shares with it are not compiled
   // again.
   std::shared_ptr<const scene::CompiledScene> scene = nullptr;
+  SharedSampling* sharing = nullptr;  // other processes that render samples as well (shared_sampling.h); null: none
 };
 
 class Session {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "render/session.h"
+#include "render/shared_sampling.h"
 #include "viewer/files/loader.h"
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/exclusive_task.h"
@@ -136,6 +137,18 @@ std::string error_text(const render::Status& status) {
   return label + " " + (error.known ? film::error_text(status.measure, error.value) : "?");
 }
 
+// "4 ranks", or "3 of 4 ranks" if some take no part.
+void add_ranks(StatusLine& line, const render::SharingStatus& status) {
+  const std::string all = formatted("%d ranks", status.ranks);
+  const std::string text = status.active < status.ranks ? formatted("%d of ", status.active) + all : all;
+  const uint32_t samples = status.own_samples + status.other_samples;
+  const std::string share =
+      samples > 0 ? formatted("; %.0f %% of the samples are from other ranks", 100.0 * status.other_samples / samples)
+                  : std::string();
+  line.add(text,
+           ("Processes that render this image" + share + (status.note.empty() ? "" : ". ") + status.note).c_str());
+}
+
 void draw_parts(AppState& state, StatusLine& line) {
   const render::Status status = state.session->status();
   const uint32_t limit = state.document().limits.samples;
@@ -156,6 +169,7 @@ void draw_parts(AppState& state, StatusLine& line) {
   if (status.rejected.total() > 0) line.add_invalid(status.rejected.total());
   line.add(formatted("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
+  if (state.options.sharing) add_ranks(line, state.options.sharing->status());
   line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
   if (state.settings.show_timing)
     line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),

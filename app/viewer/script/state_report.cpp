@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/session.h"
+#include "render/shared_sampling.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
@@ -73,6 +74,16 @@ json aov_report(const AovImage& image) {
   return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
 }
 
+json ranks_report(const AppState& state) {
+  if (!state.options.sharing) return nullptr;
+  const render::SharingStatus status = state.options.sharing->status();
+  return {{"all", status.ranks},
+          {"active", status.active},
+          {"own_samples", status.own_samples},
+          {"other_samples", status.other_samples},
+          {"note", status.note}};
+}
+
 // The former name of a bottom panel, "sheet.health" for "panel.reliability"; an empty text for none.
 std::string sheet_name(const Panel* panel) {
   if (!panel) return "";
@@ -102,6 +113,7 @@ std::string state_report(AppState& state) {
          {"samples", status.version == editor.version() ? status.samples : 0},
          {"seconds", status.seconds},
          {"paused", state.session->paused()},
+         {"ranks", ranks_report(state)},
          {"phase", status.phase},
          {"obstacle", state.incompatibility()},
          {"scene", editor.document().scene_name},

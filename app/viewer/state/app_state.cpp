@@ -45,8 +45,8 @@ std::string step_name(const render::Document& d, const render::DocumentParameter
 AppState::AppState(Platform& p, const ViewOptions& o)
     : platform(p),
       options(o),
-      session(std::make_unique<render::Session>(
-          render::SessionOptions{.threads = o.threads, .interactive = true, .publish_interval = kPublishInterval})),
+      session(std::make_unique<render::Session>(render::SessionOptions{
+          .threads = o.threads, .interactive = true, .publish_interval = kPublishInterval, .sharing = o.sharing})),
       editor(std::make_unique<Editor>(*session)),
       tasks{.exclusive = std::make_unique<ExclusiveTask>(*session),
             .path_classes = std::make_unique<PathClassTask>(),
