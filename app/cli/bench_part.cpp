@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
-#include "bench/part.h"
+#include "bench/measured_part.h"
 #include "bench/reference_key.h"
 #include "bench/report.h"
 #include "bench_job.h"

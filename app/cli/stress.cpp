@@ -10,7 +10,7 @@
 #include "scene_options.h"
 #include "stress/case.h"
 #include "stress/matrix.h"
-#include "stress/part.h"
+#include "stress/stored_results.h"
 
 namespace etendue::cli {
 namespace {

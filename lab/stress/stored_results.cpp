@@ -1,4 +1,4 @@
-#include "stress/part.h"
+#include "stress/stored_results.h"
 
 #include "job_part/part_file.h"
 

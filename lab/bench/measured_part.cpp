@@ -1,4 +1,4 @@
-#include "bench/part.h"
+#include "bench/measured_part.h"
 
 #include <algorithm>
 
