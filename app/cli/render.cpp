@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -187,6 +188,7 @@ class RenderJob {
     if (auto ok = render(interrupted); !ok) return fail(ok.error());
     status_ = session_.status();
     print_incompatibility();
+    print_notes();
     if (interrupted && a_.checkpoint_interval > 0)
       if (auto ok = write_checkpoint(); !ok) return fail(ok.error());
     if (interrupted && writes_part_) {
@@ -244,6 +246,7 @@ class RenderJob {
       status_ = session_.status();
       if (status_.version != version_) continue;
       print_incompatibility();
+      print_notes();
       progress.show(status_.progress, progress_text(status_));
       const double elapsed = std::chrono::duration<double>(Clock::now() - last_checkpoint).count();
       if (a_.checkpoint_interval > 0 && elapsed >= a_.checkpoint_interval) {
@@ -260,6 +263,12 @@ class RenderJob {
     if (incompatibility_printed_ || status_.incompatibility.empty()) return;
     std::fprintf(stderr, "etendue: %s\n", status_.incompatibility.c_str());
     incompatibility_printed_ = true;
+  }
+
+  // Prints each note of the integrator once.
+  void print_notes() {
+    for (const std::string& note : status_.notes)
+      if (notes_printed_.insert(note).second) std::fprintf(stderr, "etendue: %s\n", note.c_str());
   }
 
   Result<void> write_checkpoint() {
@@ -318,6 +327,7 @@ class RenderJob {
   uint64_t version_ = 0;  // of the document in the session
   render::Status status_;
   bool incompatibility_printed_ = false;
+  std::set<std::string> notes_printed_;
 };
 
 // The part of the arguments, or that of a checkpoint, which the arguments may repeat. Parts have a fixed number of

@@ -67,14 +67,14 @@ std::string statistics_json(const RenderStatistics& statistics) {
                {"rmse_estimate", s.error.known ? json(s.error.rmse) : json()},
                {"error_measure", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(s.measure)].name},
                {"error", s.measured_error.known ? json(s.measured_error.value) : json()},
-               {"error_interval", s.measured_error.known
-                                      ? json{s.measured_error.interval.low, s.measured_error.interval.high}
-                                      : json()},
+               {"error_interval",
+                s.measured_error.known ? json{s.measured_error.interval.low, s.measured_error.interval.high} : json()},
                {"rejected", invalid_samples_json(s.rejected)},
                {"khat", s.reliability ? number_json(s.reliability->tail.khat) : json()},
                {"health", s.reliability ? reliability_json(*s.reliability) : json()},
                {"peak_rss_bytes", peak_memory()},
                {"model", model_json(statistics.model)},
+               {"notes", s.notes},
                {"obstacle", s.incompatibility.empty() ? json() : json(s.incompatibility)},
                {"automatic", json::parse(statistics.choice)},
                {"certificate", json::parse(statistics.certificate)}};

@@ -87,7 +87,9 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
                                    int width, int height)
     : scene_(std::move(scene)),
       model_(transport::model_for(*scene_, document.forced_flags, document.method.paths, document.method.color)),
-      sampler_(sampler_of(document)),
+      sampler_name_(document.method.sampler),
+      sampler_settings_(document.method.settings_of(sampler_name_)),
+      sampler_(make_sampler(sampler_name_, sampler_settings_)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
       refusal_(refusal_of(document.method.integrator, model_, *scene_)),
@@ -112,7 +114,9 @@ integrator::RenderContext PreparedDocument::context(uint64_t seed) const {
           .filter = &filter_,
           .seed = seed,
           .width = width_,
-          .height = height_};
+          .height = height_,
+          .sampler_name = sampler_name_,
+          .sampler_settings = sampler_settings_};
 }
 
 void PreparedDocument::prepare_sampler(uint32_t sample_of_half) {

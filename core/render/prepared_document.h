@@ -50,6 +50,8 @@ class PreparedDocument {
  private:
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;
+  std::string sampler_name_;
+  std::vector<Setting> sampler_settings_;
   std::unique_ptr<Sampler> sampler_;
   std::unique_ptr<integrator::Integrator> integrator_;
   std::string refusal_;

@@ -166,6 +166,7 @@ void ProgressiveRender::write_initial_status(Status& status) const {
   status.build = scene_->report();
   status.phase = "rendering";
   status.incompatibility = incompatibility(document_, *scene_);
+  status.notes = renderer_->notes();
   status.samples = samples_;
   status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_);
 }
@@ -187,6 +188,7 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.measured_error = error_monitor_.measured();
   status.rejected = film_.film().invalid_samples();
   status.statistics = renderer_->statistics();
+  status.notes = renderer_->notes();
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   status.progress = progress_to_limit(document_.limits, state);
   status.time_left = time_to_limit(document_.limits, state);
@@ -231,6 +233,10 @@ std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {
 
 std::shared_ptr<const std::vector<integrator::StoredPoint>> ProgressiveRender::stored_points() const {
   return renderer_ ? renderer_->stored_points() : nullptr;
+}
+
+std::shared_ptr<const integrator::SolutionView> ProgressiveRender::solution_view() const {
+  return renderer_ ? renderer_->solution_view() : nullptr;
 }
 
 }  // namespace etendue::render

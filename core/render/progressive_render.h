@@ -58,6 +58,7 @@ class ProgressiveRender {
   std::vector<film::TailState> tail_states() const;
   std::optional<std::vector<float>> reweighted_copy() const;
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const;
+  std::shared_ptr<const integrator::SolutionView> solution_view() const;
 
  private:
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }

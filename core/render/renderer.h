@@ -51,6 +51,9 @@ class Renderer {
   // Photons or virtual lights that the integrator stores; null if none. Not while tasks run.
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const { return state_->points(); }
   std::vector<integrator::Statistic> statistics() const { return state_->statistics(); }
+  std::vector<std::string> notes() const { return state_->notes(); }
+  // As far as it is known; null if the integrator has none. Not while tasks run.
+  std::shared_ptr<const integrator::SolutionView> solution_view() const { return state_->solution_view(); }
   // The state of the integrator after the last complete step, for `begin`.
   std::vector<std::byte> integrator_state() const { return state_->state(sample()); }
 

@@ -291,6 +291,9 @@ std::optional<std::vector<float>> Session::reweighted_copy() {
 std::shared_ptr<const std::vector<integrator::StoredPoint>> Session::stored_points() {
   return impl_->between_slices([](const ProgressiveRender& render) { return render.stored_points(); });
 }
+std::shared_ptr<const integrator::SolutionView> Session::solution_view() {
+  return impl_->between_slices([](const ProgressiveRender& render) { return render.solution_view(); });
+}
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

@@ -20,8 +20,8 @@
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -42,6 +42,8 @@ std::string sentence(const std::string& text) { return text.ends_with('.') ? tex
 void integrator_statistics(AppState& state) {
   const auto status = state.session->status();
   if (status.version != state.editor->version()) return;
+  for (const std::string& text : status.notes) warning(state.ui, sentence(text));
+  if (!status.notes.empty()) state.ui.items.add("render.notes");
   for (const auto& statistic : status.statistics) {
     const std::string value = formatted("%.4g ", statistic.value) + statistic.unit;
     labelled_value(state.ui, label_of(statistic.name).c_str(), value, statistic.doc.c_str());
@@ -102,7 +104,9 @@ class RenderPanel final : public Panel {
         return {.error = "the integrator is not chosen automatically; set render.integrator to auto first"};
       return {.done = !state.document().automatic.is_pending()};
     };
-    return {recommendation_.wait_condition(), {.name = "misses", .check = check}, {.name = "automatic", .check = check_automatic}};
+    return {recommendation_.wait_condition(),
+            {.name = "misses", .check = check},
+            {.name = "automatic", .check = check_automatic}};
   }
 
   void report(AppState& state, nlohmann::json& json) override {
@@ -170,8 +174,9 @@ class RenderPanel final : public Panel {
     if (automatic_.running())
       note(state.ui, formatted("Comparing integrators, %.0f %%", 100 * automatic_.progress()));
     else if (automatic.is_pending())
-      note(state.ui, "The integrator is chosen when the image has rested for a moment. Until then, it is rendered with " +
-                         integrator_label(state.document().method.integrator) + ".");
+      note(state.ui,
+           "The integrator is chosen when the image has rested for a moment. Until then, it is rendered with " +
+               integrator_label(state.document().method.integrator) + ".");
     else
       note(state.ui, "Chosen: " + integrator_label(state.document().method.integrator) + ". " + automatic.reason + ".");
     action_button(state, "integrator.choose-again");

@@ -119,6 +119,7 @@ std::string state_report(AppState& state) {
          {"first_picture_seconds", state.timing.first_image_seconds},
          {"latency_ms", percentiles(state.session->take_latencies())},
          {"restart_latency_ms", percentiles(state.session->take_restart_latencies())},
+         {"notes", status.notes},
          {"statistics", json::object()}};
   for (const auto& statistic : status.statistics) j["statistics"][statistic.name] = statistic.value;
   if (const auto* points = state.viewport.stored_points->result())
