@@ -14,6 +14,7 @@
   ENTRY(markov)                    \
   ENTRY(fredholm)                  \
   ENTRY(iterations)                \
+  ENTRY(radiosity_elements)        \
   ENTRY(transport_operators)       \
   ENTRY(random_walks)              \
   ENTRY(linear_walks)              \
