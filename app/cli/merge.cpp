@@ -144,6 +144,8 @@ Result<void> merge(const MergeArguments& a) {
   if (auto ok = check_output(a); !ok) return ok;
   const auto aovs = parse_aovs(a.aovs);
   if (!aovs) return aovs.error();
+  if (has_light_path_layers(*aovs))
+    return usage_error("merge: --aov: parts do not hold layers of light paths; record them with etendue render");
   const auto list = read_list(a.parts);
   if (!list) return list.error();
   if (a.partial) {

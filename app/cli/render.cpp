@@ -23,6 +23,7 @@
 #include "render/division.h"
 #include "render/image_output.h"
 #include "render/incompatibility.h"
+#include "render/light_path_layers.h"
 #include "render/partial_result.h"
 #include "render/session.h"
 #include "render/session_file.h"
@@ -183,6 +184,7 @@ class RenderJob {
       std::fprintf(stderr, "etendue: interrupted while the integrator was chosen; nothing was rendered\n");
       return static_cast<int>(Fault::interrupted);
     }
+    if (auto ok = record_layers(); !ok) return fail(ok.error());
     submit();
     if (auto ok = render(interrupted); !ok) return fail(ok.error());
     status_ = session_.status();
@@ -223,6 +225,17 @@ class RenderJob {
     if (!choice_->interrupted)
       std::fprintf(stderr, "etendue: %s (%s)\n", choice_->reason.c_str(), format_duration(choice_->seconds).c_str());
     document_ = advisor::with_choice(std::move(document_), *choice_);
+    return {};
+  }
+
+  // Prepares the recording of layers of light paths, which belongs to the first sample.
+  Result<void> record_layers() {
+    if (!has_light_path_layers(aovs_)) return {};
+    auto recording = render::record_light_path_layers(document_, aovs_);
+    if (!recording) return recording.error();
+    path_layers_ = std::move(*recording);
+    resume_point_.emplace(film::Film(document_.width, document_.height));
+    resume_point_->layers = path_layers_;
     return {};
   }
 
@@ -303,7 +316,13 @@ class RenderJob {
     if (writes_part_) return write_part();
     const std::string choice = choice_ ? advisor::choice_json(*choice_) : "null";
     return write_results(session_, document_, status_,
-                         {.out = a_.out, .png = a_.png, .json = a_.json, .aovs = aovs_, .threads = a_.threads}, choice);
+                         {.out = a_.out,
+                          .png = a_.png,
+                          .json = a_.json,
+                          .aovs = aovs_,
+                          .threads = a_.threads,
+                          .path_layers = path_layers_},
+                         choice);
   }
 
   const RenderArguments& a_;
@@ -313,6 +332,7 @@ class RenderJob {
   double earlier_seconds_;
   std::string checkpoint_file_;
   std::optional<render::ResumePoint> resume_point_;
+  std::shared_ptr<integrator::PathLayerRecording> path_layers_;  // null: none
   std::optional<advisor::MethodChoice> choice_;  // of the automatic integrator, if it was made by this job
   render::Session session_;
   uint64_t version_ = 0;  // of the document in the session
@@ -378,6 +398,18 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
 // Whether samples before the last one are missing, because several ranks were interrupted.
 bool has_gaps(const Start& start) { return !start.ranges.contains({0, start.ranges.count()}); }
 
+// Layers of light paths are recorded with all samples of the image, by one process.
+Result<void> check_layers(const RenderArguments& a, const std::vector<std::string>& aovs, const Start& start,
+                          bool has_ranks) {
+  if (!has_light_path_layers(aovs)) return {};
+  if (has_ranks) return usage_error("--aov: layers of light paths cannot be recorded by several processes");
+  if (!a.resume.empty() || a.checkpoint_interval > 0)
+    return usage_error("--aov: checkpoints do not hold layers of light paths; leave out --checkpoint and --resume");
+  if (start.document.automatic.is_pending()) return {};
+  const auto recording = render::record_light_path_layers(start.document, aovs);
+  return recording ? Result<void>() : Result<void>(recording.error());
+}
+
 // Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
 int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (auto ok = check_names(a.out, a.png, "render"); !ok) return fail(ok.error());
@@ -392,6 +424,7 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
   if (writes_part && !ranks)
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
+  if (auto ok = check_layers(a, *aovs, *start, ranks != nullptr); !ok) return fail(ok.error());
   print_warnings(start->document);
   if (ranks) return run_on_rank_0(a, *ranks, std::move(*aovs), std::move(*start));
   if (start->resume_point && has_gaps(*start)) {
@@ -449,7 +482,8 @@ Command render_command() {
                   {.names = "--aov",
                    .target = &a->aovs,
                    .doc = "Additional layers of the .exr, separated by commas, e.g. albedo,depth; all: those of first "
-                          "hits; media: the terms of the equation of transfer"},
+                          "hits; media: the terms of the equation of transfer; bounces, direct-indirect, photon-terms, "
+                          "NAME=EXPRESSION: parts of the light, recorded with the image"},
                   environment_option(a->scene.environment),
                   {.names = "--exposure",
                    .target = &a->exposure,

@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "render/aov.h"
 #include "render/image_output.h"
+#include "render/light_path_layers.h"
 #include "render_statistics.h"
 
 namespace etendue::cli {
@@ -47,14 +48,25 @@ Result<std::vector<std::string>> parse_aovs(const std::string& text) {
       continue;
     }
     if (name.empty()) continue;
+    if (render::is_light_path_layer(name)) {
+      names.push_back(name);
+      continue;
+    }
     if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
       std::string all = "sample-count";
       for (const auto& k : known) all += ", " + k;
+      for (const auto& set : render::light_path_layer_sets()) all += std::string(", ") + set.name;
+      for (const auto& k : render::light_path_layer_names()) all += ", " + k;
+      all += ", bounces:N, or NAME=EXPRESSION for a path class";
       return usage_error("--aov: there is no layer '" + name + "'; give some of " + all);
     }
     names.push_back(name);
   }
   return names;
+}
+
+bool has_light_path_layers(const std::vector<std::string>& aovs) {
+  return std::ranges::any_of(aovs, [](const std::string& name) { return render::is_light_path_layer(name); });
 }
 
 Result<void> check_names(const std::string& out, const std::string& png, const std::string& command) {
@@ -80,6 +92,8 @@ Result<void> write_results(render::Session& session, const render::Document& doc
     for (image::Layer& layer : render::render_medium_aovs(compiled, document, files.aovs, samples, files.threads))
       rendering.layers.push_back(std::move(layer));
   }
+  if (files.path_layers)
+    for (image::Layer& layer : render::layers_of(*files.path_layers)) rendering.layers.push_back(std::move(layer));
   const bool stores_certificate = !(files.out.ends_with(".png") || files.out.ends_with(".hdr"));
   // The session renders other documents for the certificate, so its film and model are copied before.
   if (!files.json.empty() || stores_certificate)

@@ -40,7 +40,11 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   film_is_stale_ = !start;
   if (start) film_.resume(document_, std::move(start->film), start->tails);
   // The new renderer may reuse data of the old one, which is destroyed afterwards.
-  renderer_ = std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get());
+  const auto layers = start ? start->layers : nullptr;
+  if (layers) layers->clear(document_.width, document_.height);
+  renderer_ =
+      std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get(), layers.get());
+  layers_ = layers;
   counters_.rays = 0;
   counters_.paths = 0;
   seconds_ = 0;

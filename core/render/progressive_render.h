@@ -74,6 +74,7 @@ class ProgressiveRender {
 
   Document document_;
   std::shared_ptr<const scene::CompiledScene> scene_;
+  std::shared_ptr<integrator::PathLayerRecording> layers_;  // null: no layers of the paths; outlives the renderer
   std::unique_ptr<Renderer> renderer_;
   SessionFilm film_;
   bool film_is_stale_ = false;  // the film still holds samples of an earlier document

@@ -32,8 +32,8 @@ void copy_pixels(const integrator::PixelBlock& block, std::span<const Rgb> radia
 }  // namespace
 
 Renderer::Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
-                   const Renderer* previous)
-    : prepared_(document, std::move(scene), width, height),
+                   const Renderer* previous, integrator::PathLayerRecording* layers)
+    : prepared_(document, std::move(scene), width, height, layers),
       width_(width),
       height_(height),
       first_sample_(document.part.first_sample),

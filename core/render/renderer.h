@@ -20,9 +20,9 @@ namespace etendue::render {
 class Renderer {
  public:
   // `previous` is the renderer of the previous image, or null. The integrator may reuse what that one computed for the
-  // same scene.
+  // same scene. `layers` receives layers of the paths, or is null; it must outlive the renderer.
   Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
-           const Renderer* previous = nullptr);
+           const Renderer* previous = nullptr, integrator::PathLayerRecording* layers = nullptr);
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
