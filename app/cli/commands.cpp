@@ -19,6 +19,8 @@
   ENTRY(phase)                  \
   ENTRY(spectrum)               \
   ENTRY(radiosity)              \
+  ENTRY(energy)                 \
+  ENTRY(importance)             \
   ENTRY(probe)                  \
   ENTRY(trace)                  \
   ENTRY(save)                   \
