@@ -15,6 +15,7 @@
   ENTRY(fredholm)                  \
   ENTRY(iterations)                \
   ENTRY(transport_operators)       \
+  ENTRY(power_iteration)           \
   ENTRY(random_walks)              \
   ENTRY(linear_walks)              \
   ENTRY(variance_reduction)        \
