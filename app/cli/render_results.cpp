@@ -20,10 +20,9 @@ constexpr uint32_t kAovSamples = 16;  // per pixel
 constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
 
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
-                           const film::Film& film) {
+                           const film::Film& film, int threads) {
   const double seconds = std::min(kCertificateSeconds, kCertificateFraction * s.seconds);
-  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                           s.reliability ? s.reliability->tail.khat : std::optional<double>()};
+  const advisor::RenderStatistics evidence = advisor::statistics_of(film, s, session.model(), threads);
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
@@ -83,7 +82,7 @@ Result<void> write_results(render::Session& session, const render::Document& doc
   const bool stores_certificate = !(files.out.ends_with(".png") || files.out.ends_with(".hdr"));
   // The session renders other documents for the certificate, so its film and model are copied before.
   if (!files.json.empty() || stores_certificate)
-    rendering.certificate = certificate_of(session, document, status, film);
+    rendering.certificate = certificate_of(session, document, status, film, files.threads);
   if (auto ok = render::write_image(files.out, rendering); !ok) return ok;
   if (!files.png.empty())
     if (auto ok = render::write_image(files.png, rendering); !ok) return ok;
