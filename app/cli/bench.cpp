@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "advisor/method_choice.h"
 #include "base/number_text.h"
 #include "base/user_folders.h"
 #include "bench/benchmark.h"
@@ -74,6 +75,14 @@ void print_reference_warning(const bench::Outcome& outcome, const bench::Referen
                format_number(metrics::smallest_certain_rmse(*reference.noise), 2).c_str(), advice.c_str());
 }
 
+Result<bench::ChosenMethod> chosen_method(render::Session& session, const render::Document& document,
+                                          const bench::Progress& progress) {
+  const auto choice = advisor::choose_method(session, document, progress);
+  if (!choice) return choice.error();
+  return bench::ChosenMethod{advisor::with_choice(document, *choice), choice->reason, choice->seconds,
+                             choice->interrupted};
+}
+
 // Everything that can be checked before rendering. Wrong arguments fail before anything is rendered or written.
 struct Job {
   render::Document document;
@@ -96,7 +105,7 @@ Result<Job> prepare(const BenchArguments& a) {
   if (!document) return document.error();
   auto methods = bench::parse_methods(a.methods, *document);
   if (!methods) return methods.error();
-  Job job{std::move(*document), {std::move(*methods), a.budget, a.samples, a.repeats, a.seed}, {}};
+  Job job{std::move(*document), {std::move(*methods), a.budget, a.samples, a.repeats, a.seed, chosen_method}, {}};
   if (given) {
     auto fitted = bench::resized_reference(std::move(*given), job.document.width, job.document.height);
     if (!fitted) return fitted.error();
@@ -147,10 +156,13 @@ int run_bench(const BenchArguments& a) {
     std::fprintf(stderr, "etendue: interrupted; %s holds the results so far\n", a.out.c_str());
     return static_cast<int>(Fault::interrupted);
   }
-  for (const auto& method : outcome.methods)
+  for (const auto& method : outcome.methods) {
     if (!method.incompatibility.empty())
       std::fprintf(stderr, "etendue: %s: not measured: %s\n", method.curves.name.c_str(),
                    method.incompatibility.c_str());
+    for (const std::string& reason : method.choices)
+      std::fprintf(stderr, "etendue: %s: %s\n", method.curves.name.c_str(), reason.c_str());
+  }
   print_reference_warning(outcome, reference);
   return 0;
 }
@@ -166,9 +178,9 @@ Command bench_command() {
           {scene_option(a->scene.scene),
            {.names = "--methods",
             .target = &a->methods,
-            .doc =
-                "Methods separated by commas, INTEGRATOR[:NAME=VALUE]..., e.g. path:sampler=sobol,path-pure; another "
-                "renderer is external:\"COMMAND {spp} {seed} {out}\"",
+            .doc = "Methods separated by commas, INTEGRATOR[:NAME=VALUE]..., e.g. path:sampler=sobol,path-pure; auto: "
+                   "chosen "
+                   "for each repeat; another renderer: external:\"COMMAND {spp} {seed} {out}\"",
             .required = true},
            {.names = "--budget",
             .target = &a->budget,

@@ -11,6 +11,9 @@
 namespace etendue::bench {
 namespace {
 
+// The fraction of the budget that is left for rendering after an automatic choice, if the choice took longer.
+constexpr double kLeastRemaining = 0.01;
+
 class Runner {
  public:
   Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress)
@@ -18,7 +21,7 @@ class Runner {
     for (const auto& method : plan.methods) {
       MethodResult& result = outcome_.methods.emplace_back();
       result.curves.name = method.label();
-      if (!method.is_external()) result.incompatibility = incompatibility_of(method);
+      if (!method.is_external() && !method.is_automatic()) result.incompatibility = incompatibility_of(method);
     }
   }
 
@@ -84,25 +87,42 @@ class Runner {
   bool run_integrator(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
     d.seed = repeat_seed(plan_.seed, method, repeat);
+    double choice_seconds = 0;
+    if (plan_.methods[method].is_automatic()) {
+      const auto chosen = choose(d, method, repeat);
+      if (!chosen) return fail(outcome_.methods[method], chosen.error().message);
+      if (chosen->interrupted) return false;
+      d = chosen->document;
+      choice_seconds = chosen->seconds;
+      outcome_.methods[method].choices.push_back(chosen->reason);
+    }
+    const double seconds =
+        plan_.seconds > 0 ? std::max(kLeastRemaining * plan_.seconds, plan_.seconds - choice_seconds) : 0;
     metrics::ErrorCurve curve{repeat, {}};
     std::vector<float> image;
     render::Status status;
     for (uint32_t count = 1;; count = next_sample_count(count)) {
       if (!report(method, repeat, status)) return false;  // short renderings end before wait_for reports
       const bool last = plan_.samples > 0 && count >= plan_.samples;
-      d.limits = {last ? plan_.samples : count, plan_.seconds, 0};
+      d.limits = {last ? plan_.samples : count, seconds, 0};
       if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(method, repeat, s); }))
         return false;
       const uint32_t before = status.samples;
       status = session_.status();
       if (status.samples > before || curve.points.empty()) {
         image = film::radiance_of(session_.film_copy());
-        curve.points.push_back(measure_error(image, reference_, status.seconds, status.samples));
+        curve.points.push_back(measure_error(image, reference_, choice_seconds + status.seconds, status.samples));
       }
       if (last || status.samples < count) break;
     }
     finish(outcome_.methods[method], std::move(curve), std::move(image), status);
     return true;
+  }
+
+  Result<ChosenMethod> choose(render::Document d, size_t method, int repeat) {
+    if (!plan_.choose) return usage_error("the integrator cannot be chosen automatically here");
+    d.limits = {plan_.samples, plan_.seconds, 0};
+    return plan_.choose(session_, d, [&](double, const std::string&) { return report(method, repeat, {}); });
   }
 
   void finish(MethodResult& result, metrics::ErrorCurve curve, std::vector<float> image, const render::Status& status) {
@@ -123,9 +143,9 @@ class Runner {
         static_cast<double>(repeat) * static_cast<double>(plan_.methods.size()) + static_cast<double>(method);
     double current = plan_.seconds > 0 ? s.seconds / plan_.seconds : 0;
     if (plan_.samples > 0) current = std::max(current, static_cast<double>(s.samples) / plan_.samples);
-    return progress_(
-        (finished + std::min(current, 1.0)) / runs,
-        plan_.methods[method].label() + ", repeat " + std::to_string(repeat + 1) + " of " + std::to_string(plan_.repeats));
+    return progress_((finished + std::min(current, 1.0)) / runs, plan_.methods[method].label() + ", repeat " +
+                                                                     std::to_string(repeat + 1) + " of " +
+                                                                     std::to_string(plan_.repeats));
   }
 
   render::Session& session_;

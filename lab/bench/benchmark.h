@@ -2,6 +2,7 @@
 //
 // The repeats of all methods alternate (A B A B), so that changes in the load of the machine affect all methods alike.
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,15 +13,28 @@
 
 namespace etendue::bench {
 
+// The automatic choice of an integrator, for one rendering.
+struct ChosenMethod {
+  render::Document document;  // with the method
+  std::string reason;
+  double seconds = 0;  // that the choice took
+  bool interrupted = false;
+};
+// Chooses the method of a document by its limits. It may render in the session.
+using MethodChooser =
+    std::function<Result<ChosenMethod>(render::Session& session, const render::Document& document, const Progress&)>;
+
 struct Plan {
   std::vector<MethodSpec> methods;
   double seconds = 0;    // rendering time per method and repeat; 0 is no limit
   uint32_t samples = 0;  // samples per pixel, per method and repeat; 0 is no limit. At least one limit is required
   int repeats = 1;
-  uint64_t seed = 0;  // the seed of each repeat of each method is derived from it
+  uint64_t seed = 0;          // the seed of each repeat of each method is derived from it
+  MethodChooser choose = {};  // for automatic methods
 };
 
 struct MethodResult {
+  std::vector<std::string> choices;     // reasons of the automatic choice, one per repeat
   std::string incompatibility;          // why the method cannot render the scene; it then has no curves and no image
   metrics::MethodCurves curves;         // as measured, including the noise of the reference
   std::vector<double> rays_per_second;  // one per repeat; NaN for other renderers
@@ -38,6 +52,7 @@ struct Outcome {
 };
 
 // Measures errors at 1, 2, 3, 4, 6, 8, 12 ... samples per pixel and at the end of each repeat; only rendering is timed.
+// The time of an automatic choice counts as rendering time: it is part of the budget and of the times of the curve.
 // Other renderers start again for each measurement, at 1, 2, 4, 8 ... samples; a repeat therefore takes about twice its
 // budget. A renderer that fails is reported as incompatible.
 // If `progress` returns false, the outcome holds the complete repeats.
