@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "advisor/method_choice.h"
+#include "advisor/choice_revision.h"
 #include "base/number_text.h"
 #include "bench/reference_key.h"
 #include "cluster/checkpoint_ranges.h"
@@ -29,6 +29,7 @@
 #include "render_ranks.h"
 #include "render_results.h"
 #include "render_statistics.h"
+#include "revised_render.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
 
@@ -183,9 +184,16 @@ class RenderJob {
       std::fprintf(stderr, "etendue: interrupted while the integrator was chosen; nothing was rendered\n");
       return static_cast<int>(Fault::interrupted);
     }
-    submit();
-    if (auto ok = render(interrupted); !ok) return fail(ok.error());
-    status_ = session_.status();
+    if (is_revised()) {
+      RevisedRendering rendering =
+          render_with_revision(session_, document_, *choice_, seconds_after_choice(), interrupted);
+      document_ = std::move(rendering.document);
+      status_ = rendering.status;
+    } else {
+      submit();
+      if (auto ok = render(interrupted); !ok) return fail(ok.error());
+      status_ = session_.status();
+    }
     print_incompatibility();
     if (interrupted && a_.checkpoint_interval > 0)
       if (auto ok = write_checkpoint(); !ok) return fail(ok.error());
@@ -226,12 +234,22 @@ class RenderJob {
     return {};
   }
 
-  // Starts the rendering. Time for the choice of the integrator counts towards the time limit.
+  // Whether the choice is revised during the rendering: if only the time is limited. A checkpoint holds the film of one
+  // integrator.
+  bool is_revised() const {
+    return choice_ && advisor::is_revisable(*choice_) && document_.limits.samples == 0 && document_.limits.error == 0 &&
+           a_.checkpoint_interval <= 0 && !resume_point_;
+  }
+
+  // Time for the choice of the integrator counts towards the time limit.
+  double seconds_after_choice() const {
+    const double seconds = document_.limits.seconds;
+    return choice_ ? std::max(kLeastRemainingTime * seconds, seconds - choice_->seconds) : seconds;
+  }
+
   void submit() {
     render::Document limited = document_;
-    if (choice_ && limited.limits.seconds > 0)
-      limited.limits.seconds =
-          std::max(kLeastRemainingTime * limited.limits.seconds, limited.limits.seconds - choice_->seconds);
+    if (limited.limits.seconds > 0) limited.limits.seconds = seconds_after_choice();
     version_ = resume_point_ ? session_.submit(limited, std::move(*resume_point_)) : session_.submit(limited);
   }
 

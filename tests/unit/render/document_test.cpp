@@ -144,7 +144,7 @@ TEST(AutomaticIntegrator, IsAFlagOfTheDocument) {
   d->method.integrator = "bdpt";
   d->automatic.reason = "because";
   d->automatic.allow = AllowedIntegrators::consistent;
-  d->automatic.error = film::ErrorMeasure::displayed;
+  d->automatic.error = render::MinimisedError::displayed;
   reopened = document_from_state(state_json(*d, 0), "test");
   ASSERT_TRUE(reopened) << reopened.error().message;
   EXPECT_EQ(reopened->automatic, d->automatic);
