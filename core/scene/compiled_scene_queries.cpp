@@ -100,6 +100,26 @@ ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
   }
 }
 
+// Starts loading the triangles of hits and their vertices, except in meshes that are small enough for the caches.
+void prefetch_triangles(std::span<const Hit> hits, const std::vector<InstanceData>& instances) {
+  constexpr size_t kSmallMesh = 4096;  // triangles
+  const auto mesh_of = [&](const Hit& hit) -> const Mesh* {
+    const Mesh* mesh = instances[hit.instance].mesh.get();
+    return mesh->triangles.size() > kSmallMesh ? mesh : nullptr;
+  };
+  for (const Hit& hit : hits)
+    if (const Mesh* mesh = mesh_of(hit)) __builtin_prefetch(&mesh->triangles[hit.triangle]);
+  for (const Hit& hit : hits) {
+    const Mesh* mesh = mesh_of(hit);
+    if (!mesh) continue;
+    for (const uint32_t vertex : mesh->triangles[hit.triangle]) {
+      __builtin_prefetch(&mesh->positions[vertex]);
+      if (!mesh->uvs[0].empty()) __builtin_prefetch(&mesh->uvs[0][vertex]);
+      if (!mesh->normals.empty()) __builtin_prefetch(&mesh->normals[vertex]);
+    }
+  }
+}
+
 // Whether the shading frame differs from the geometric one.
 bool has_own_shading_frame(const SurfacePoint& point) {
   return point.instance->smooth || point.material->needs_tangent_frame;
@@ -156,6 +176,7 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
   for (size_t first = 0; first < hits.size(); first += Facets::kSize) {
     const size_t count = std::min(Facets::kSize, hits.size() - first);
     Facets facets;
+    prefetch_triangles(hits.subspan(first, count), *instances_);
     for (size_t i = 0; i < count; ++i)
       facets.set(i, (*instances_)[hits[first + i].instance], hits[first + i], wo[first + i]);
     for (size_t i = 0; times && i < count; ++i)
@@ -164,8 +185,11 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
     shape(facets, count);
     for (size_t i = 0; i < count; ++i) {
       facets.get(i, points[first + i]);
-      finish(wo[first + i], hits[first + i], points[first + i]);
+      finish(hits[first + i], points[first + i]);
     }
+    for (size_t i = 0; i < count; ++i)
+      if (SurfacePoint& point = points[first + i]; has_own_shading_frame(point))
+        bend(wo[first + i], hits[first + i], nullptr, point);
     // The loop above uses the normals at shutter opening; those of moving instances are computed again at their times.
     for (size_t i = 0; times && i < count; ++i)
       if (SurfacePoint& point = points[first + i]; point.instance->motion && has_own_shading_frame(point))
@@ -173,18 +197,18 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
   }
 }
 
-// The properties that depend on the instance: textures, interpolated normals, normal maps.
-void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+// The properties that depend on the instance, except for the shading frame.
+void CompiledScene::finish(const Hit& hit, SurfacePoint& point) const {
   const InstanceData& instance = (*instances_)[hit.instance];
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
   point.triangle = hit.triangle;
   if (instance.textured) {
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
+    if (point.material->has_textures) point.material->prefetch_texels(point.texture);
     if (point.material->has_tiled_textures) set_footprints(hit, point);
   } else
     point.texture.color = Vec4(1);
-  if (has_own_shading_frame(point)) bend(wo, hit, nullptr, point);
 }
 
 // The distance along the path back to the camera is at least the length of its last segment, and at least the straight
