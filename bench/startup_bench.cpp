@@ -1,9 +1,13 @@
 // Time to the first pixel: staircase2, ToyCar, and a sphere of five million triangles.
 //
 // Measured within a process, phase by phase, and through `etendue view --offscreen`, from its start to the first
-// displayed frame. The exit code is 1 if a bound is exceeded.
+// displayed frame. The start of the Cornell box is measured with and without the plugins of OpenImageIO and OpenVDB, in
+// turns. The exit code is 1 if a bound is exceeded.
+//
+//   startup_bench [plugins]    default: all measurements
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -41,13 +45,32 @@ int phases(const std::string& file) {
 }
 
 // Seconds from the start of the viewer to its first image; negative if it failed.
-double viewer_start(const std::string& file, const fs::path& folder) {
+double viewer_start(const std::string& file, const fs::path& folder, const std::string& environment = "") {
   const fs::path script = folder / "script.json", state = folder / "state.json";
   std::ofstream(script) << nlohmann::json::array({{{"do", "state"}, {"file", state.string()}}});
   const std::string command =
-      std::string("'") + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" + script.string() + "'";
+      environment + " '" + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" + script.string() + "'";
   if (std::system(command.c_str()) != 0) return -1;
   return nlohmann::json::parse(std::ifstream(state)).value("first_picture_seconds", -1.0);
+}
+
+// Compares the start with plugins that are found and with a folder of plugins that does not exist, in turns.
+bool compare_plugins(const fs::path& folder) {
+  constexpr int kPairs = 21;
+  constexpr double kBound = 1.1;
+  std::vector<double> ratios, found, missing;
+  for (int i = 0; i < kPairs; ++i) {
+    found.push_back(viewer_start("cornell", folder));
+    missing.push_back(viewer_start("cornell", folder, "ETENDUE_PLUGIN_PATH=/nonexistent"));
+    ratios.push_back(found.back() / missing.back());
+  }
+  for (auto* list : {&ratios, &found, &missing}) std::ranges::sort(*list);
+  constexpr size_t kMiddle = kPairs / 2, kQuarter = kPairs / 4;
+  const bool fine = found.front() > 0 && missing.front() > 0 && ratios[kMiddle] < kBound;
+  std::printf("cornell      with plugins %.3f s, without %.3f s; ratio: median %.3f, quartiles %.3f .. %.3f  %s\n",
+              found[kMiddle], missing[kMiddle], ratios[kMiddle], ratios[kQuarter], ratios[kPairs - 1 - kQuarter],
+              fine ? "" : "MISSED");
+  return fine;
 }
 
 bool clock_start(const char* name, const std::string& file, double bound, const fs::path& folder) {
@@ -67,16 +90,22 @@ bool clock_start(const char* name, const std::string& file, double bound, const 
 }  // namespace
 }  // namespace etendue
 
-int main() {
+int main(int argc, char** argv) {
   using namespace etendue;
+  const bool plugins_only = argc > 1 && std::string(argv[1]) == "plugins";
   const std::string data = test::data_folder();
-  if (data.empty()) return std::fprintf(stderr, "startup_bench: set ETENDUE_TEST_DATA\n"), 2;
+  if (data.empty() && !plugins_only) return std::fprintf(stderr, "startup_bench: set ETENDUE_TEST_DATA\n"), 2;
   const fs::path folder = fs::temp_directory_path() / ("etendue-startup-" + std::to_string(getpid()));
   fs::create_directories(folder);
+  bool fine = compare_plugins(folder);
+  if (plugins_only) {
+    fs::remove_all(folder);
+    return fine ? 0 : 1;
+  }
   const fs::path large = folder / "large.glb";
   const size_t triangles = test::write_large_glb(large, 5'000'000);
   std::printf("seconds; the large file has %zu triangles\n", triangles);
-  bool fine = clock_start("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
+  fine = clock_start("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder) && fine;
   fine = clock_start("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
   fine = clock_start("large", large, 8, folder) && fine;
   fs::remove_all(folder);

@@ -3,10 +3,10 @@
 #
 #   tools/contact_sheet.sh out/contact-sheet ../shared/data/gltf/*.glb
 #
-# Writes one screenshot per scene and OUT/index.html with all of them. $ETENDUE is the program; the default is the
-# release build. $SPP samples per pixel are taken (8).
+# Writes one screenshot per scene and OUT/index.html with all of them, and OUT/sheet.png if the test program `looks` is
+# built. $ETENDUE is the program; the default is the release build. $SPP samples per pixel are taken (16).
 set -euo pipefail
-[ $# -ge 2 ] || { sed -n 2,7p "$0" >&2; exit 2; }
+[ $# -ge 2 ] || { sed -n 2,8p "$0" >&2; exit 2; }
 program=$(realpath "${ETENDUE:-$(dirname "$0")/../build/release/app/cli/etendue}")
 out=$1
 shift
@@ -18,18 +18,22 @@ out=$(realpath "$out")
 } >"$out/index.html"
 n=0
 failed=0
+tiles=()
 for scene in "$@"; do
   n=$((n + 1))
   name=$(printf %03d "$n")
   cat >"$out/script.json" <<JSON
-[{"do": "wait", "spp": ${SPP:-8}}, {"do": "wait", "seconds": 0.3}, {"do": "screenshot", "file": "$out/$name.png"}]
+[{"do": "wait", "spp": ${SPP:-16}}, {"do": "wait", "seconds": 0.3}, {"do": "screenshot", "file": "$out/$name.png"}]
 JSON
   if ! timeout 120 "$program" view --offscreen --safe --size 1280x720 --script "$out/script.json" "$scene"; then
     echo "$scene: failed" >&2
     failed=$((failed + 1))
   fi
+  tiles+=("$out/$name.png" "$(basename "${scene%.*}")")
   echo "<figure><img src=\"$name.png\"><figcaption>$(basename "$scene")</figcaption></figure>" >>"$out/index.html"
 done
 rm -f "$out/script.json"
+looks=$(dirname "$0")/../build/release/tests/looks
+[ ! -x "$looks" ] || "$looks" --pictures "$out/sheet.png" 150 10 "${tiles[@]}"
 echo "$out/index.html: $n scenes, $failed failed"
 [ "$failed" = 0 ]

@@ -21,13 +21,15 @@ findings=build/fuzz/findings
 targets="path 10 256
 ies 5 2048
 nvdb 2 1048576
-hdr 12 4096
+hdr 11 4096
 png 15 4096
 jpeg 13 4096
 webp 10 4096
 brdf 13 4096
 exr 2 8192
-script 5 4096
+script 4 4096
+settings 1 4096
+oiio 1 8192
 state 2 4096
 part 1 8192
 glb 4 32768
@@ -47,6 +49,7 @@ find_glb() { find "$data/gltf" "$data/gltf-invalid" -name '*.glb' -size -24k; }
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target fuzz_targets >build/fuzz/build.log || { tail -n 40 build/fuzz/build.log >&2; exit 1; }
 export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=1
+export ETENDUE_PLUGIN_PATH=$PWD/build/fuzz/app/cli
 export LSAN_OPTIONS=suppressions=$PWD/cmake/lsan.supp:print_suppressions=0
 mkdir -p "$findings"
 

@@ -7,6 +7,7 @@
 #include "bsdf/measured/brdf_table.h"
 #include "bsdf_analysis/checks.h"
 #include "bsdf_analysis/drawings.h"
+#include "bsdf_analysis/reflectance_geometries.h"
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
@@ -21,7 +22,7 @@ struct BsdfArguments {
   std::string model, against, scene, material, out, table;
   std::vector<std::string> settings, settings_against;
   std::vector<int> steps{24, 72};  // of a table: polar and azimuthal
-  double degrees = 45;
+  double degrees = 45, cone = 10;
   bool json = false, all = false;
 };
 
@@ -32,6 +33,8 @@ struct Subject {
   std::vector<ParameterInfo> parameters;
   bsdf_analysis::Lobes lobes;
   bsdf_analysis::SurfaceAnalysis analysis;
+  // In nine geometries; transmittances only of surfaces that transmit.
+  std::vector<bsdf_analysis::Reflectance> reflectances, transmittances;
 };
 
 // A document with one material: the chosen one of a scene, or the default.
@@ -77,7 +80,7 @@ Result<Subject> make_subject(const BsdfArguments& a, const std::string& model,
     d = with_setting(*d, name, setting);
     if (!d) return d.error();
   }
-  Subject s{name, d->scene->materials[0], {}, {}, {}};
+  Subject s{name, d->scene->materials[0], {}, {}, {}, {}, {}};
   if (s.material.model) s.parameters = s.material.model->parameters();
   s.lobes = bsdf_analysis::lobes_of(s.material);
   return s;
@@ -94,6 +97,17 @@ json albedo_json(const std::vector<bsdf_analysis::Albedo>& curve) {
                     {"specular", color_json(a.specular)},
                     {"transmitted", color_json(a.transmitted)}});
   return list;
+}
+
+json reflectances_json(const std::vector<bsdf_analysis::Reflectance>& list) {
+  json array = json::array();
+  for (const auto& r : list)
+    array.push_back({{"from", bsdf_analysis::kExtentNames[static_cast<size_t>(r.from)]},
+                     {"to", bsdf_analysis::kExtentNames[static_cast<size_t>(r.to)]},
+                     {"factor", color_json(r.factor)},
+                     {"fraction", color_json(r.fraction)},
+                     {"standard_error", number_json(r.error)}});
+  return array;
 }
 
 json subject_json(const Subject& s) {
@@ -114,7 +128,21 @@ json subject_json(const Subject& s) {
           {"hemispherical_albedo", number_json(bsdf_analysis::hemispherical_albedo(s.analysis.albedo))},
           {"albedo", albedo_json(s.analysis.albedo)},
           {"albedo_inside", albedo_json(s.analysis.albedo_inside)},
+          {"reflectance", reflectances_json(s.reflectances)},
+          {"transmittance", reflectances_json(s.transmittances)},
           {"sampling", sampling}};
+}
+
+// Luminances of reflectance factors: a row for each geometry of the incident light.
+void print_reflectances(const char* title, const std::vector<bsdf_analysis::Reflectance>& list) {
+  if (list.empty()) return;
+  std::printf("  %s, from (rows) to (columns)\n    %-14s %14s %20s %20s\n", title, "", "directional", "conical",
+              "hemispherical");
+  for (size_t i = 0; i < list.size(); ++i) {
+    if (i % 3 == 0) std::printf("    %-14s", bsdf_analysis::kExtentNames[i / 3]);
+    std::printf("  %9.4f ± %-7.1g", static_cast<double>(luminance(list[i].factor)), list[i].error);
+    if (i % 3 == 2) std::printf("\n");
+  }
 }
 
 void print(const Subject& s) {
@@ -125,6 +153,8 @@ void print(const Subject& s) {
   for (const auto& a : s.analysis.albedo)
     std::printf("    %5.1f°  %.4f %.4f %.4f  ± %.1g\n", a.degrees, static_cast<double>(a.value.r),
                 static_cast<double>(a.value.g), static_cast<double>(a.value.b), a.error);
+  print_reflectances("reflectance factors", s.reflectances);
+  print_reflectances("transmittance factors", s.transmittances);
   std::printf("  sample weights: standard deviation (with cosine sampling), maximum, absorbed samples\n");
   for (const auto& q : s.analysis.sampling)
     std::printf("    %5.1f°  %.3f (%.3f)  %.3g  %.1f %%\n", q.degrees, q.deviation, q.cosine_deviation, q.largest,
@@ -187,6 +217,16 @@ void print_all_models() {
   }
 }
 
+void measure_reflectances(Subject& s, const BsdfArguments& a) {
+  const auto measured = [&](bool transmission) {
+    const auto all = bsdf_analysis::reflectances(
+        s.lobes, {.degrees = a.degrees, .half_angle = a.cone, .transmission = transmission});
+    return std::vector(all.begin(), all.end());
+  };
+  s.reflectances = measured(false);
+  if (bsdf_analysis::transmits_light(s.lobes)) s.transmittances = measured(true);
+}
+
 int run_bsdf(const BsdfArguments& a) {
   if (a.all) {
     print_all_models();
@@ -203,7 +243,10 @@ int run_bsdf(const BsdfArguments& a) {
   if (!a.table.empty())
     if (const auto ok = write_table(subjects.front(), a); !ok) return fail(ok.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
-  for (auto& s : subjects) s.analysis = bsdf_analysis::analyze(s.lobes, [&] { return !interrupted; });
+  for (auto& s : subjects) {
+    s.analysis = bsdf_analysis::analyze(s.lobes, [&] { return !interrupted; });
+    measure_reflectances(s, a);
+  }
   if (interrupted) return static_cast<int>(Fault::interrupted);
   if (!a.out.empty())
     if (const auto ok = write_drawings(subjects, a); !ok) return fail(ok.error());
@@ -235,8 +278,12 @@ Command bsdf_command() {
             .needs = "--scene"},
            {.names = "--angle",
             .target = &a->degrees,
-            .doc = "Angle between view direction and normal in the drawings, in degrees (45)",
+            .doc = "Angle between direction and normal in the drawings and of reflectances, in degrees (45)",
             .bounds = between(0, 89.9)},
+           {.names = "--cone",
+            .target = &a->cone,
+            .doc = "Half angle of the cones of conical reflectances, in degrees (10)",
+            .bounds = between(0.1, 89.9)},
            {.names = "--out", .target = &a->out, .doc = "Folder for the drawings polar.svg, albedo.svg and lobe.svg"},
            {.names = "--table",
             .target = &a->table,

@@ -52,6 +52,8 @@ struct Command {
   std::string summary;
   std::vector<CommandOption> options;
   std::function<int()> run;  // returns the exit code
+  // Whether the processes that mpirun starts share the work. Without it, a job of several ranks is refused.
+  bool supports_ranks = false;
 };
 
 // All subcommands, in the order of the help text.
@@ -59,5 +61,8 @@ const std::vector<Command>& commands();
 
 // Prints "etendue: MESSAGE" on standard error and returns the exit code of the error.
 int fail(const Error& error);
+// The same for an error that all ranks of a job of mpirun find. Rank 0 reports it, and mpirun then ends the others, which
+// wait for that. If rank 0 has no such error, because its arguments differ, they report it after a while.
+int fail_on_all_ranks(const Error& error);
 
 }  // namespace etendue::cli

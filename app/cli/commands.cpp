@@ -1,8 +1,11 @@
 // Every subcommand, in the order of the help text; one line each.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
+#include <thread>
 
+#include "cluster/mpi_job.h"
 #include "command.h"
 #include "scene_options.h"
 
@@ -19,6 +22,8 @@
   ENTRY(phase)                  \
   ENTRY(spectrum)               \
   ENTRY(radiosity)              \
+  ENTRY(energy)                 \
+  ENTRY(importance)             \
   ENTRY(probe)                  \
   ENTRY(trace)                  \
   ENTRY(save)                   \
@@ -63,6 +68,13 @@ const std::vector<Command>& commands() {
 int fail(const Error& error) {
   std::fprintf(stderr, "etendue: %s\n", error.message.c_str());
   return static_cast<int>(error.fault);
+}
+
+int fail_on_all_ranks(const Error& error) {
+  const int rank = cluster::launched_rank();
+  if (rank == 0) return fail(error);
+  std::this_thread::sleep_for(std::chrono::seconds(5));
+  return fail({error.fault, "rank " + std::to_string(rank) + ": " + error.message});
 }
 
 }  // namespace etendue::cli

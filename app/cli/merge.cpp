@@ -1,4 +1,4 @@
-// etendue merge: makes the image of a rendering from its parts.
+// etendue merge: makes the image of a rendering, or the results of another command, from their parts.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "bench/reference_key.h"
 #include "command.h"
+#include "job_parts.h"
 #include "progress_bar.h"
 #include "render/image_output.h"
 #include "render/partial_result.h"
@@ -144,6 +145,8 @@ Result<void> merge(const MergeArguments& a) {
   if (auto ok = check_output(a); !ok) return ok;
   const auto aovs = parse_aovs(a.aovs);
   if (!aovs) return aovs.error();
+  if (has_light_path_layers(*aovs))
+    return usage_error("merge: --aov: parts do not hold layers of light paths; record them with etendue render");
   const auto list = read_list(a.parts);
   if (!list) return list.error();
   if (a.partial) {
@@ -161,30 +164,44 @@ Result<void> merge(const MergeArguments& a) {
   return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }
 
+int run_merge(const MergeArguments& a) {
+  if (!job_part::is_part(a.parts[0])) {
+    const auto merged = merge(a);
+    return merged ? 0 : fail(merged.error());
+  }
+  if (a.partial || a.samples > 0 || !a.png.empty() || !a.aovs.empty() || !a.json.empty())
+    return fail(usage_error("merge: " + a.parts[0] + " is not a part of a rendering; give -o FOLDER as only option"));
+  return merge_job_parts(a.parts, a.out);
+}
+
 }  // namespace
 
 Command merge_command() {
   const auto a = std::make_shared<MergeArguments>();
-  return {.name = "merge",
-          .summary = "Make the image of a rendering from the parts that render --samples or --region wrote",
-          .options =
-              {{.names = "parts", .target = &a->parts, .doc = "Parts of one rendering, in any order", .required = true},
-               {.names = "-o,--out", .target = &a->out, .doc = "Output file, as of etendue render", .required = true},
-               {.names = "--partial",
-                .target = &a->partial,
-                .doc = "Write a part that contains the given ones, which can be merged again"},
-               {.names = "--spp",
-                .target = &a->samples,
-                .doc = "Samples per pixel that the parts must have together; default: those of the last part",
-                .bounds = between(1, 1'000'000)},
-               {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
-               {.names = "--aov", .target = &a->aovs, .doc = "Additional layers of the .exr, as of etendue render"},
-               {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
-               threads_option(a->threads)},
-          .run = [a] {
-            const auto merged = merge(*a);
-            return merged ? 0 : fail(merged.error());
-          }};
+  return {
+      .name = "merge",
+      .summary =
+          "Merge parts: of render --samples or --region to an image, of bench, stress or figure --part to results",
+      .options = {{.names = "parts",
+                   .target = &a->parts,
+                   .doc = "Parts of one rendering or of one command, in any order",
+                   .required = true},
+                  {.names = "-o,--out",
+                   .target = &a->out,
+                   .doc = "Output file, as of etendue render; for parts of bench, stress and figure the folder",
+                   .required = true},
+                  {.names = "--partial",
+                   .target = &a->partial,
+                   .doc = "Write a part that contains the given ones, which can be merged again"},
+                  {.names = "--spp",
+                   .target = &a->samples,
+                   .doc = "Samples per pixel that the parts must have together; default: those of the last part",
+                   .bounds = between(1, 1'000'000)},
+                  {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
+                  {.names = "--aov", .target = &a->aovs, .doc = "Additional layers of the .exr, as of etendue render"},
+                  {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
+                  threads_option(a->threads)},
+      .run = [a] { return run_merge(*a); }};
 }
 
 }  // namespace etendue::cli

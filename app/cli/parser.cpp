@@ -78,10 +78,16 @@ std::string unknown_argument(const CLI::App& app) {
   return "";
 }
 
-// All ranks of an MPI job have the same arguments, so one of them reports an error.
-int fail_to_parse(const std::string& message) {
-  const Error error = usage_error(message);
-  return cluster::launched_rank() == 0 ? fail(error) : static_cast<int>(error.fault);
+// All ranks of an MPI job have the same arguments.
+int fail_to_parse(const std::string& message) { return fail_on_all_ranks(usage_error(message)); }
+
+// Several processes of a command that does not divide would all do the same work, and overwrite each other's files.
+int run_command(const Command& command) {
+  if (cluster::launched_ranks() > 1 && !command.supports_ranks)
+    return fail_on_all_ranks(usage_error(command.name + ": does not divide among the " +
+                                         std::to_string(cluster::launched_ranks()) +
+                                         " ranks that mpirun has started; run it without mpirun"));
+  return command.run();
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ int parse_and_run(const std::vector<Command>& commands, std::vector<std::string>
   for (const Command& command : commands) {
     CLI::App* parser = app.add_subcommand(command.name, command.summary);
     for (const CommandOption& option : command.options) add_option(*parser, option);
-    parser->callback([&code, &command] { code = command.run(); });
+    parser->callback([&code, &command] { code = run_command(command); });
   }
   const std::string first = arguments.empty() ? "" : arguments.front();
   const bool is_known = std::ranges::any_of(commands, [&](const Command& command) { return command.name == first; });

@@ -4,12 +4,16 @@
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <optional>
 
+#include "base/file.h"
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
+#include "metrics/function_chart.h"
 #include "radiosity/parameters.h"
 #include "radiosity/reflectance.h"
+#include "radiosity_links.h"
 #include "render/document.h"
 #include "render/thread_pool.h"
 #include "scene/compiled_scene.h"
@@ -23,6 +27,8 @@ struct RadiosityArguments {
   std::string solver;
   uint64_t seed = 0;
   int threads = 0, sweeps = 1000;
+  std::string chart, chart_axis = "sweeps", patches;
+  double link_error = 0;  // of hierarchical form factors; 0: none
   bool json = false;
 };
 
@@ -70,37 +76,45 @@ Result<radiosity::Parameters> parameters_of(const render::Document& document, co
   return parameters;
 }
 
-Result<void> check(const scene::CompiledScene& scene, const radiosity::Parameters& parameters,
-                   const std::string& name) {
+Result<void> check(const scene::CompiledScene& scene, const radiosity::Parameters& parameters, const std::string& name,
+                   double link_error) {
   if (!scene.solids().empty())
     return input_error(name + ": radiosity does not support media between surfaces; give a scene without them");
   if (const std::string reason = radiosity::too_many_patches(scene, parameters, 1); !reason.empty())
     return input_error(name + ": " + reason);
+  if (link_error > 0 && parameters.meshing != radiosity::Meshing::quadtree)
+    return usage_error(
+        "--links needs a mesh whose triangles are divided into quadtrees: give "
+        "--set radiosity.meshing=quadtree");
   if (radiosity::count_patches(scene, parameters.mesh_settings()) == 0)
     return input_error(name + ": the scene has no triangles with an area; give one with surfaces");
   return {};
 }
 
 // False if it was interrupted.
-bool prepare(const scene::CompiledScene& scene, const radiosity::Parameters& parameters, const RadiosityArguments& a,
-             Prepared& prepared) {
+bool prepare(const scene::CompiledScene& scene, const radiosity::Parameters& parameters,
+             const radiosity::SamplerChoice& sampler, const RadiosityArguments& a, Prepared& prepared) {
   const std::atomic<bool>& interrupted = watch_interrupts();
   prepared.mesh = PatchMesh(scene, parameters.mesh_settings());
   prepared.reflectance = radiosity::patch_reflectances(scene, prepared.mesh);
   const auto start = std::chrono::steady_clock::now();
-  radiosity::SceneSolution solution(parameters.plan(a.seed), prepared.mesh.element_count());
+  radiosity::SceneSolution solution(parameters.plan(a.seed, sampler), prepared.mesh.element_count());
   const std::function<bool()> keep_going = [&] { return !interrupted; };
   render::ThreadPool workers(a.threads);
   std::atomic<uint64_t> rays{0};
-  workers.run(
-      0, solution.tasks(),
-      [&](int task) {
-        prepare_thread_for_rays();
-        rays += solution.run(scene, prepared.mesh, task, &keep_going).value_or(0);
-      },
-      keep_going);
-  if (interrupted) return false;
-  solution.finish(prepared.mesh, prepared.reflectance);
+  // The last stage solves for all colour components. The solvers are run and compared one by one instead.
+  const auto stages = solution.stages();
+  for (size_t stage = 0; stage + 1 < stages.size(); ++stage) {
+    workers.run(
+        0, stages[stage].tasks,
+        [&](int task) {
+          prepare_thread_for_rays();
+          rays += solution.run_stage(scene, prepared.mesh, stage, task, &keep_going).value_or(0);
+        },
+        keep_going);
+    if (interrupted) return false;
+    solution.complete_stage(prepared.mesh, prepared.reflectance, stage);
+  }
   prepared.rays = rays;
   prepared.seconds = elapsed_since(start);
   prepared.factors = solution.factors();
@@ -121,6 +135,47 @@ SolverRun run_solver(SolverKind kind, const radiosity::RadiositySystem& system,
                 .solution = radiosity::solve(kind, system, settings)};
   run.seconds = elapsed_since(start);
   return run;
+}
+
+// The residuals of all solvers over the sweeps or over the time.
+Result<void> write_chart(const std::string& scene, const std::vector<SolverRun>& runs, const RadiosityArguments& a) {
+  const bool by_time = a.chart_axis == "seconds";
+  metrics::FunctionChart chart{.title = "Residual of radiosity solvers, " + scene,
+                               .x_label = by_time ? "seconds" : "sweeps",
+                               .y_label = "residual, relative to the largest source",
+                               .curves = {},
+                               .logarithmic_y = true};
+  for (const SolverRun& run : runs) {
+    metrics::FunctionCurve curve{.name = run.name, .points = {}};
+    for (size_t n = 0; n < run.solution.residuals.size(); ++n)
+      curve.points.push_back({by_time ? run.solution.seconds[n] : static_cast<double>(n), run.solution.residuals[n]});
+    chart.curves.push_back(std::move(curve));
+  }
+  const std::string svg = metrics::to_svg(metrics::function_drawing(chart, {}));
+  return write_file(a.chart, svg.data(), svg.size());
+}
+
+// A line per side of a patch that sees another one: its place, its form factors, and the most accurate solution of the
+// colour component with the most light.
+Result<void> write_patches(const Prepared& p, const std::vector<SolverRun>& runs, const RadiosityArguments& a) {
+  const auto best = std::ranges::min_element(runs, {}, [](const SolverRun& run) { return run.solution.error_bound; });
+  const auto system =
+      radiosity::reflected_light_system(*p.factors, p.reflectance, p.direct, brightest_component(p.direct));
+  std::string text = "patch,side,x,y,z,area,closure,asymmetry,radiosity,unshot\n";
+  for (uint32_t e = 0; e < p.mesh.element_count(); ++e) {
+    if (p.factors->exchanges(e).empty()) continue;
+    const radiosity::Patch& patch = p.mesh.patch_of(e);
+    const Vec3 centre = patch.point(Vec2(1.0f / 3));
+    const auto& quality = p.factors->row_quality()[e];
+    char line[240];
+    std::snprintf(line, sizeof line, "%u,%s,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", e / 2,
+                  PatchMesh::is_front(e) ? "front" : "back", static_cast<double>(centre.x),
+                  static_cast<double>(centre.y), static_cast<double>(centre.z), static_cast<double>(patch.area),
+                  static_cast<double>(quality.closure), static_cast<double>(quality.asymmetry),
+                  best->solution.radiosity[e], system.residual_at(e, best->solution.radiosity));
+    text += line;
+  }
+  return write_file(a.patches, text.data(), text.size());
 }
 
 // All solvers, or the selected one. Differences refer to the solution with the smallest error bound.
@@ -156,20 +211,23 @@ const char* status_name(radiosity::SolverStatus status) {
 }
 
 json solver_json(const SolverRun& run) {
-  json residuals = json::array();
+  json residuals = json::array(), seconds = json::array();
+  for (const double s : run.solution.seconds) seconds.push_back(s);
   for (const double r : run.solution.residuals) residuals.push_back(number_json(r));
   return {{"solver", run.name},
           {"status", status_name(run.solution.status)},
           {"problem", run.solution.problem},
           {"sweeps", run.solution.residuals.size() - 1},
           {"residuals", residuals},
+          {"seconds_of_sweeps", seconds},
           {"reduction_per_sweep", number_json(reduction_per_sweep(run.solution.residuals))},
           {"error_bound", number_json(run.solution.error_bound)},
           {"difference", number_json(run.difference)},
           {"seconds", run.seconds}};
 }
 
-json report_json(const std::string& name, const Prepared& p, const std::vector<SolverRun>& runs) {
+json report_json(const std::string& name, const Prepared& p, const std::vector<SolverRun>& runs,
+                 const std::optional<HierarchyRun>& hierarchy) {
   const radiosity::MeshQuality& mesh = p.mesh.quality();
   const radiosity::FormFactors::Quality& factors = p.factors->quality();
   json solvers = json::array();
@@ -192,7 +250,8 @@ json report_json(const std::string& name, const Prepared& p, const std::vector<S
       {"form_factor_bytes", p.factors->memory()},
       {"rays", p.rays},
       {"seconds", p.seconds},
-      {"solvers", solvers}};
+      {"solvers", solvers},
+      {"hierarchy", hierarchy ? hierarchy_json(*hierarchy) : json()}};
 }
 
 void print(const Prepared& p, const std::vector<SolverRun>& runs) {
@@ -228,19 +287,34 @@ int run_radiosity(const RadiosityArguments& a) {
   const auto parameters = parameters_of(*document, a.solver);
   if (!parameters) return fail(parameters.error());
   const auto scene = scene::compile(document->scene, document->camera, nullptr);
-  if (const auto ok = check(*scene, *parameters, a.scene.scene); !ok) return fail(ok.error());
+  if (const auto ok = check(*scene, *parameters, a.scene.scene, a.link_error); !ok) return fail(ok.error());
   if (const std::string name = radiosity::non_diffuse_material(*scene); !name.empty())
     std::fprintf(stderr, "etendue: %s: %s is not diffuse; all surfaces are taken as diffuse with their base colour\n",
                  a.scene.scene.c_str(), name.c_str());
   if (scene->lights().empty())
     std::fprintf(stderr, "etendue: %s: the scene has no light, so the radiosity is zero\n", a.scene.scene.c_str());
   Prepared prepared;
-  if (!prepare(*scene, *parameters, a, prepared)) return static_cast<int>(Fault::interrupted);
+  const radiosity::SamplerChoice sampler{document->method.sampler,
+                                         document->method.settings_of(document->method.sampler)};
+  if (!prepare(*scene, *parameters, sampler, a, prepared)) return static_cast<int>(Fault::interrupted);
   const std::vector<SolverRun> runs = run_solvers(prepared, *parameters, a);
-  if (a.json)
-    std::printf("%s\n", report_json(document->scene_name, prepared, runs).dump(2).c_str());
-  else
+  std::optional<HierarchyRun> hierarchy;
+  if (a.link_error > 0) {
+    hierarchy = run_hierarchy({*scene, prepared.mesh, prepared.reflectance, prepared.direct, *prepared.factors,
+                               parameters->solver_settings()},
+                              {.error = a.link_error, .seed = a.seed}, a.threads);
+    if (!hierarchy) return static_cast<int>(Fault::interrupted);
+  }
+  if (a.json) {
+    std::printf("%s\n", report_json(document->scene_name, prepared, runs, hierarchy).dump(2).c_str());
+  } else {
     print(prepared, runs);
+    if (hierarchy) print(*hierarchy);
+  }
+  if (!a.chart.empty())
+    if (const auto written = write_chart(document->scene_name, runs, a); !written) return fail(written.error());
+  if (!a.patches.empty())
+    if (const auto written = write_patches(prepared, runs, a); !written) return fail(written.error());
   bool all_converged = true;
   for (const SolverRun& run : runs) {
     if (!run.solution.problem.empty())
@@ -264,6 +338,20 @@ Command radiosity_command() {
                        .target = &a->sweeps,
                        .doc = "Largest number of sweeps of a solver (1000)",
                        .bounds = kPositive},
+                      {.names = "--chart",
+                       .target = &a->chart,
+                       .doc = "Write the residuals of the solvers as a chart, an SVG file"},
+                      {.names = "--chart-axis",
+                       .target = &a->chart_axis,
+                       .doc = "What the chart counts: sweeps (default) or seconds of solving",
+                       .choices = {"sweeps", "seconds"}},
+                      {.names = "--links",
+                       .target = &a->link_error,
+                       .doc = "Also compute hierarchical form factors, with links of at most this form factor",
+                       .bounds = kPositive},
+                      {.names = "--patches",
+                       .target = &a->patches,
+                       .doc = "Write closure, reciprocity and radiosity of all patch sides, a CSV file"},
                       set_option(a->scene.settings),
                       environment_option(a->scene.environment),
                       seed_option(a->seed),

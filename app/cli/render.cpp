@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <thread>
 
-#include "advisor/method_choice.h"
+#include "advisor/choice_revision.h"
 #include "base/number_text.h"
+#include "base/provided_files.h"
 #include "bench/reference_key.h"
 #include "cluster/checkpoint_ranges.h"
 #include "cluster/mpi_job.h"
@@ -23,12 +25,14 @@
 #include "render/division.h"
 #include "render/image_output.h"
 #include "render/incompatibility.h"
+#include "render/light_path_layers.h"
 #include "render/partial_result.h"
 #include "render/session.h"
 #include "render/session_file.h"
 #include "render_ranks.h"
 #include "render_results.h"
 #include "render_statistics.h"
+#include "revised_render.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
 
@@ -36,14 +40,15 @@ namespace etendue::cli {
 namespace {
 
 constexpr uint32_t kDefaultSamples = 64;  // per pixel, without any limit
+constexpr const char* kFromRank0 = "rank0";
 
 struct RenderArguments {
   SceneArguments scene;
   PartArguments part;
-  std::string out, png, integrator, sampler, aovs, json, resume, like, measure;
+  std::string out, png, integrator, sampler, aovs, json, resume, like, measure, scene_from;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
-  int threads = 0, max_depth = -1;
+  int threads = 0, max_depth = -1, collectors = -1;
   int64_t seed = -1;
   double exposure = NAN;
 };
@@ -71,11 +76,11 @@ Result<Start> start_from_checkpoint(const std::string& file) {
   if (const auto& region = document->part.region; region && !is_inside(*region, document->width, document->height))
     return input_error(file + ": its region is not a part of the image; render this part again");
   auto ranges = cluster::ranges_of(checkpoint->state, checkpoint->film.samples(0, 0));
-  return Start{
-      .document = std::move(*document),
-      .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),
-      .seconds = checkpoint->seconds,
-      .ranges = std::move(ranges)};
+  return Start{.document = std::move(*document),
+               .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state),
+                                                   std::move(checkpoint->tails)),
+               .seconds = checkpoint->seconds,
+               .ranges = std::move(ranges)};
 }
 
 Result<Start> start_like(const std::string& file) {
@@ -183,10 +188,19 @@ class RenderJob {
       std::fprintf(stderr, "etendue: interrupted while the integrator was chosen; nothing was rendered\n");
       return static_cast<int>(Fault::interrupted);
     }
-    submit();
-    if (auto ok = render(interrupted); !ok) return fail(ok.error());
-    status_ = session_.status();
+    if (auto ok = record_layers(); !ok) return fail(ok.error());
+    if (is_revised()) {
+      RevisedRendering rendering =
+          render_with_revision(session_, document_, *choice_, seconds_after_choice(), interrupted);
+      document_ = std::move(rendering.document);
+      status_ = rendering.status;
+    } else {
+      submit();
+      if (auto ok = render(interrupted); !ok) return fail(ok.error());
+      status_ = session_.status();
+    }
     print_incompatibility();
+    print_notes();
     if (interrupted && a_.checkpoint_interval > 0)
       if (auto ok = write_checkpoint(); !ok) return fail(ok.error());
     if (interrupted && writes_part_) {
@@ -226,12 +240,33 @@ class RenderJob {
     return {};
   }
 
-  // Starts the rendering. Time for the choice of the integrator counts towards the time limit.
+  // Whether the choice is revised during the rendering: if only the time is limited. A checkpoint holds the film of one
+  // integrator.
+  bool is_revised() const {
+    return choice_ && advisor::is_revisable(*choice_) && document_.limits.samples == 0 && document_.limits.error == 0 &&
+           a_.checkpoint_interval <= 0 && !resume_point_;
+  }
+
+  // Time for the choice of the integrator counts towards the time limit.
+  double seconds_after_choice() const {
+    const double seconds = document_.limits.seconds;
+    return choice_ ? std::max(kLeastRemainingTime * seconds, seconds - choice_->seconds) : seconds;
+  }
+
+  // Prepares the recording of layers of light paths, which belongs to the first sample.
+  Result<void> record_layers() {
+    if (!has_light_path_layers(aovs_)) return {};
+    auto recording = render::record_light_path_layers(document_, aovs_);
+    if (!recording) return recording.error();
+    path_layers_ = std::move(*recording);
+    resume_point_.emplace(film::Film(document_.width, document_.height));
+    resume_point_->layers = path_layers_;
+    return {};
+  }
+
   void submit() {
     render::Document limited = document_;
-    if (choice_ && limited.limits.seconds > 0)
-      limited.limits.seconds =
-          std::max(kLeastRemainingTime * limited.limits.seconds, limited.limits.seconds - choice_->seconds);
+    if (limited.limits.seconds > 0) limited.limits.seconds = seconds_after_choice();
     version_ = resume_point_ ? session_.submit(limited, std::move(*resume_point_)) : session_.submit(limited);
   }
 
@@ -244,6 +279,7 @@ class RenderJob {
       status_ = session_.status();
       if (status_.version != version_) continue;
       print_incompatibility();
+      print_notes();
       progress.show(status_.progress, progress_text(status_));
       const double elapsed = std::chrono::duration<double>(Clock::now() - last_checkpoint).count();
       if (a_.checkpoint_interval > 0 && elapsed >= a_.checkpoint_interval) {
@@ -262,13 +298,20 @@ class RenderJob {
     incompatibility_printed_ = true;
   }
 
+  // Prints each note of the integrator once.
+  void print_notes() {
+    for (const std::string& note : status_.notes)
+      if (notes_printed_.insert(note).second) std::fprintf(stderr, "etendue: %s\n", note.c_str());
+  }
+
   Result<void> write_checkpoint() {
     const render::Status status = session_.status();
     render::ResumePoint point = session_.resume_point();
     return render::write_checkpoint(checkpoint_file_, {.state = render::state_json(document_, status.samples),
                                                        .film = std::move(point.film),
                                                        .seconds = status.seconds + earlier_seconds_,
-                                                       .integrator_state = std::move(point.integrator_state)});
+                                                       .integrator_state = std::move(point.integrator_state),
+                                                       .tails = std::move(point.tails)});
   }
 
   // A part has no certificate, because its samples alone are not the image.
@@ -303,7 +346,13 @@ class RenderJob {
     if (writes_part_) return write_part();
     const std::string choice = choice_ ? advisor::choice_json(*choice_) : "null";
     return write_results(session_, document_, status_,
-                         {.out = a_.out, .png = a_.png, .json = a_.json, .aovs = aovs_, .threads = a_.threads}, choice);
+                         {.out = a_.out,
+                          .png = a_.png,
+                          .json = a_.json,
+                          .aovs = aovs_,
+                          .threads = a_.threads,
+                          .path_layers = path_layers_},
+                         choice);
   }
 
   const RenderArguments& a_;
@@ -313,11 +362,13 @@ class RenderJob {
   double earlier_seconds_;
   std::string checkpoint_file_;
   std::optional<render::ResumePoint> resume_point_;
+  std::shared_ptr<integrator::PathLayerRecording> path_layers_;  // null: none
   std::optional<advisor::MethodChoice> choice_;  // of the automatic integrator, if it was made by this job
   render::Session session_;
   uint64_t version_ = 0;  // of the document in the session
   render::Status status_;
   bool incompatibility_printed_ = false;
+  std::set<std::string> notes_printed_;
 };
 
 // The part of the arguments, or that of a checkpoint, which the arguments may repeat. Parts have a fixed number of
@@ -365,18 +416,34 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
   std::optional<RenderedSamples> rendered;
   if (start.resume_point) {
     if (auto ok = complete_sample(a, start); !ok) return fail(ok.error());
-    rendered = {std::move(start.resume_point->film), std::move(start.ranges), start.seconds};
+    rendered = {{std::move(start.resume_point->film), std::move(start.resume_point->tails)},
+                std::move(start.ranges),
+                start.seconds};
   }
   const RanksArguments arguments{
       .files = {.out = a.out, .png = a.png, .json = a.json, .aovs = std::move(aovs), .threads = a.threads},
       .checkpoint_file = checkpoint_file_of(a),
       .checkpoint_interval = a.checkpoint_interval,
-      .resumes = !a.resume.empty()};
+      .resumes = !a.resume.empty(),
+      .sends_scene = a.scene_from == kFromRank0,
+      .collectors = a.collectors >= 0 ? std::optional(a.collectors) : std::nullopt};
   return render_on_ranks(ranks, start.document, arguments, std::move(rendered));
 }
 
 // Whether samples before the last one are missing, because several ranks were interrupted.
 bool has_gaps(const Start& start) { return !start.ranges.contains({0, start.ranges.count()}); }
+
+// Layers of light paths are recorded with all samples of the image, by one process.
+Result<void> check_layers(const RenderArguments& a, const std::vector<std::string>& aovs, const Start& start,
+                          bool has_ranks) {
+  if (!has_light_path_layers(aovs)) return {};
+  if (has_ranks) return usage_error("--aov: layers of light paths cannot be recorded by several processes");
+  if (!a.resume.empty() || a.checkpoint_interval > 0)
+    return usage_error("--aov: checkpoints do not hold layers of light paths; leave out --checkpoint and --resume");
+  if (start.document.automatic.is_pending()) return {};
+  const auto recording = render::record_light_path_layers(start.document, aovs);
+  return recording ? Result<void>() : Result<void>(recording.error());
+}
 
 // Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
 int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
@@ -390,8 +457,12 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (!a.resume.empty())
     if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
   const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
+  // A single rank renders what does not divide as a process without mpirun does.
+  const bool is_alone = !ranks || ranks->size() == 1;
+  if (is_alone && (writes_part || !ranks_incompatibility(start->document).empty())) ranks = nullptr;
   if (writes_part && !ranks)
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
+  if (auto ok = check_layers(a, *aovs, *start, ranks != nullptr); !ok) return fail(ok.error());
   print_warnings(start->document);
   if (ranks) return run_on_rank_0(a, *ranks, std::move(*aovs), std::move(*start));
   if (start->resume_point && has_gaps(*start)) {
@@ -403,6 +474,7 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
 
 int run_render_command(const RenderArguments& a) {
   if (!cluster::is_mpi_job()) return run_render(a, nullptr);
+  if (a.scene_from == kFromRank0) record_files_read();
   return run_on_ranks(a.threads, [&](cluster::Communicator& ranks) { return run_render(a, &ranks); });
 }
 
@@ -449,7 +521,8 @@ Command render_command() {
                   {.names = "--aov",
                    .target = &a->aovs,
                    .doc = "Additional layers of the .exr, separated by commas, e.g. albedo,depth; all: those of first "
-                          "hits; media: the terms of the equation of transfer"},
+                          "hits; media: the terms of the equation of transfer; bounces, direct-indirect, photon-terms, "
+                          "NAME=EXPRESSION: parts of the light, recorded with the image"},
                   environment_option(a->scene.environment),
                   {.names = "--exposure",
                    .target = &a->exposure,
@@ -465,8 +538,20 @@ Command render_command() {
                    .doc = "Continue from this checkpoint; other options may repeat its settings"},
                   {.names = "--like",
                    .target = &a->like,
-                   .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
-      .run = [a] { return run_render_command(*a); }};
+                   .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"},
+                  {.names = "--scene-from",
+                   .target = &a->scene_from,
+                   .doc = "Where the ranks of a job of mpirun read the scene: each from disk (the default), or from "
+                          "rank0, which sends all files of the scene to the others",
+                   .choices = {"disk", kFromRank0}},
+                  {.names = "--collectors",
+                   .target = &a->collectors,
+                   .doc =
+                       "Number of ranks of a job of mpirun that add results for rank 0; default: none, or the square "
+                       "root of the number of ranks if rank 0 would be too slow",
+                   .bounds = between(0, 10'000)}},
+      .run = [a] { return run_render_command(*a); },
+      .supports_ranks = true};
 }
 
 }  // namespace etendue::cli

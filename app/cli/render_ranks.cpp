@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/file.h"
+#include "base/provided_files.h"
 #include "bench/reference_key.h"
 #include "cluster/checkpoint_ranges.h"
 #include "cluster/mpi_job.h"
@@ -27,13 +29,6 @@ namespace {
 
 constexpr double kProgressInterval = 0.1;  // seconds
 
-// Threads of this process: the processes of one machine share its hardware threads.
-int threads_of_rank(int threads) {
-  if (threads > 0 || cluster::processes_on_machine() == 1) return threads;
-  const int available = static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, available / cluster::processes_on_machine());
-}
-
 // The part of the image that the ranks give each other.
 render::Document part_of(render::Document document) {
   document.part.first_sample = 1;
@@ -44,6 +39,16 @@ render::Document part_of(render::Document document) {
 // checkpoint.
 std::atomic<bool> checkpoint_requested{false};
 void request_checkpoint(int) { checkpoint_requested = true; }
+
+// The files that this process has read to open the document. Those that have disappeared since are left out; the other
+// ranks report them.
+std::vector<ProvidedFile> files_of_scene(const std::string& checkpoint_file) {
+  std::vector<ProvidedFile> files;
+  for (const std::string& path : files_read())
+    if (path != checkpoint_file)
+      if (auto bytes = read_file(path)) files.push_back({path, std::move(*bytes)});
+  return files;
+}
 
 class RanksJob {
  public:
@@ -73,8 +78,10 @@ class RanksJob {
     cluster::ManagerSetup setup{.document = document,
                                 .identity = {ETENDUE_VERSION, bench::image_key(document)},
                                 .threads = threads_of_rank(a.files.threads)};
+    setup.schedule.collectors = a.collectors;
+    if (a.sends_scene) setup.files = files_of_scene(a.checkpoint_file);
     if (!start) return setup;
-    setup.samples.film = std::move(start->film);
+    setup.samples = std::move(start->samples);
     setup.done = std::move(start->ranges);
     return setup;
   }
@@ -125,7 +132,9 @@ class RanksJob {
     const std::string state = render::state_json(document_, status.samples);
     return render::write_checkpoint(a_.checkpoint_file, {.state = cluster::with_ranges(state, manager_.done()),
                                                          .film = manager_.samples().film,
-                                                         .seconds = status.seconds + earlier_seconds_});
+                                                         .seconds = status.seconds + earlier_seconds_,
+                                                         .integrator_state = {},
+                                                         .tails = manager_.samples().tails});
   }
 
   Result<void> write_image(const render::Status& status) {
@@ -142,16 +151,19 @@ class RanksJob {
 
 }  // namespace
 
+int threads_of_rank(int threads) {
+  if (threads > 0 || cluster::processes_on_machine() == 1) return threads;
+  const int available = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(1, available / cluster::processes_on_machine());
+}
+
 std::string ranks_incompatibility(const render::Document& document) {
   return render::division_incompatibility(part_of(document));
 }
 
 int run_on_ranks(int threads, const std::function<int(cluster::Communicator&)>& render) {
   const auto communicator = cluster::join_mpi_job();
-  if (!communicator) {
-    const Error& error = communicator.error();
-    return cluster::launched_rank() == 0 ? fail(error) : static_cast<int>(error.fault);
-  }
+  if (!communicator) return fail_on_all_ranks(communicator.error());
   cluster::Communicator& ranks = **communicator;
   if (ranks.rank() > 0) {
     cluster::run_worker(ranks, {threads_of_rank(threads), ETENDUE_VERSION, bench::image_key});

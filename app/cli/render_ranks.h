@@ -14,16 +14,22 @@ namespace etendue::cli {
 struct RanksArguments {
   ResultFiles files;
   std::string checkpoint_file;
-  double checkpoint_interval = 0;  // seconds; 0: checkpoints are written only if the rendering is interrupted
-  bool resumes = false;            // from `checkpoint_file`
+  double checkpoint_interval = 0;      // seconds; 0: checkpoints are written only if the rendering is interrupted
+  bool resumes = false;                // from `checkpoint_file`
+  bool sends_scene = false;            // whether rank 0 sends the files of the scene to the other ranks
+  std::optional<int> collectors = {};  // as in cluster::ScheduleOptions
 };
 
 // What exists already, from a checkpoint.
 struct RenderedSamples {
-  film::Film film;
+  render::PartialSamples samples;
   cluster::SampleRanges ranges;
   double seconds = 0;
 };
+
+// The number of threads of this process, for the argument of --threads: without one, the processes of a machine share
+// its hardware threads.
+int threads_of_rank(int threads);
 
 // Why a document cannot be rendered by several ranks; empty if it can.
 std::string ranks_incompatibility(const render::Document& document);

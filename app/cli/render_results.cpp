@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "render/aov.h"
 #include "render/image_output.h"
+#include "render/light_path_layers.h"
 #include "render_statistics.h"
 
 namespace etendue::cli {
@@ -20,10 +21,9 @@ constexpr uint32_t kAovSamples = 16;  // per pixel
 constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
 
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
-                           const film::Film& film) {
+                           const film::Film& film, int threads) {
   const double seconds = std::min(kCertificateSeconds, kCertificateFraction * s.seconds);
-  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                           s.reliability ? s.reliability->tail.khat : std::optional<double>()};
+  const advisor::RenderStatistics evidence = advisor::statistics_of(film, s, session.model(), threads);
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
@@ -47,14 +47,25 @@ Result<std::vector<std::string>> parse_aovs(const std::string& text) {
       continue;
     }
     if (name.empty()) continue;
+    if (render::is_light_path_layer(name)) {
+      names.push_back(name);
+      continue;
+    }
     if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
       std::string all = "sample-count";
       for (const auto& k : known) all += ", " + k;
+      for (const auto& set : render::light_path_layer_sets()) all += std::string(", ") + set.name;
+      for (const auto& k : render::light_path_layer_names()) all += ", " + k;
+      all += ", bounces:N, or NAME=EXPRESSION for a path class";
       return usage_error("--aov: there is no layer '" + name + "'; give some of " + all);
     }
     names.push_back(name);
   }
   return names;
+}
+
+bool has_light_path_layers(const std::vector<std::string>& aovs) {
+  return std::ranges::any_of(aovs, [](const std::string& name) { return render::is_light_path_layer(name); });
 }
 
 Result<void> check_names(const std::string& out, const std::string& png, const std::string& command) {
@@ -80,10 +91,12 @@ Result<void> write_results(render::Session& session, const render::Document& doc
     for (image::Layer& layer : render::render_medium_aovs(compiled, document, files.aovs, samples, files.threads))
       rendering.layers.push_back(std::move(layer));
   }
+  if (files.path_layers)
+    for (image::Layer& layer : render::layers_of(*files.path_layers)) rendering.layers.push_back(std::move(layer));
   const bool stores_certificate = !(files.out.ends_with(".png") || files.out.ends_with(".hdr"));
   // The session renders other documents for the certificate, so its film and model are copied before.
   if (!files.json.empty() || stores_certificate)
-    rendering.certificate = certificate_of(session, document, status, film);
+    rendering.certificate = certificate_of(session, document, status, film, files.threads);
   if (auto ok = render::write_image(files.out, rendering); !ok) return ok;
   if (!files.png.empty())
     if (auto ok = render::write_image(files.png, rendering); !ok) return ok;

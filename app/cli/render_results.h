@@ -1,10 +1,15 @@
 // The files that etendue render and etendue merge write.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "render/partial_result.h"
 #include "render/session.h"
+
+namespace etendue::integrator {
+class PathLayerRecording;
+}
 
 namespace etendue::cli {
 
@@ -13,11 +18,16 @@ struct ResultFiles {
   std::string png, json;          // additional files, or empty; '-' as `json` is standard output
   std::vector<std::string> aovs;  // additional layers of the image
   int threads = 0;
+  // The layers of light paths that were recorded with the image; null: none.
+  std::shared_ptr<const integrator::PathLayerRecording> path_layers = nullptr;
 };
 
 // Splits the argument of --aov. "all" stands for the AOVs of first hits, "media" for the terms of the equation of
 // transfer.
 Result<std::vector<std::string>> parse_aovs(const std::string& text);
+
+// Whether layers of light paths are among them, which have to be recorded while the image is rendered.
+bool has_light_path_layers(const std::vector<std::string>& aovs);
 
 // Whether an image file and, unless it is empty, an additional one can be written.
 Result<void> check_names(const std::string& out, const std::string& png, const std::string& command);

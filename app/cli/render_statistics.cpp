@@ -75,6 +75,7 @@ std::string statistics_json(const RenderStatistics& statistics) {
                {"health", s.reliability ? reliability_json(*s.reliability) : json()},
                {"peak_rss_bytes", peak_memory()},
                {"model", model_json(statistics.model)},
+               {"notes", s.notes},
                {"obstacle", s.incompatibility.empty() ? json() : json(s.incompatibility)},
                {"automatic", json::parse(statistics.choice)},
                {"certificate", json::parse(statistics.certificate)}};

@@ -1,9 +1,11 @@
 // etendue view: the viewer, in a window, or without a display and controlled by a script.
 #include <memory>
 
+#include "cluster/mpi_job.h"
 #include "command.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
+#include "view_ranks.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
@@ -41,8 +43,9 @@ Command view_command() {
               a->view.width = size->x;
               a->view.height = size->y;
             }
-            return viewer::run_viewer(a->view);
-          }};
+            return cluster::is_mpi_job() ? view_on_ranks(a->view) : viewer::run_viewer(a->view);
+          },
+          .supports_ranks = true};
 }
 
 }  // namespace etendue::cli

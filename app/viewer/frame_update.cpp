@@ -7,6 +7,8 @@
 #include "light/environments/uniform.h"
 #include "render/default_light.h"
 #include "render/session.h"
+#include "render/shared_sampling.h"
+#include "scene/variants.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
@@ -75,6 +77,20 @@ void add_warnings_of_scene(AppState& state) {
   state.notices.add_warnings(base_name(document.scene_name), warnings);
 }
 
+// The names of objects may contain characters that the fonts do not have yet.
+void add_glyphs(GlyphSet& glyphs, const render::Document& document) {
+  const scene::Scene& scene = *document.scene;
+  const auto add = [&](const auto& list) {
+    for (const auto& object : list) glyphs.add(object.name);
+  };
+  glyphs.add(document.scene_name);
+  add(scene.nodes);
+  add(scene.materials);
+  add(scene.lights);
+  add(scene.cameras);
+  for (const std::string& label : scene::variant_labels(scene)) glyphs.add(label);
+}
+
 void open_document(AppState& state, OpenedFile opened) {
   render::Document& document = opened.document;
   if (opened.kind == OpenedFile::Kind::scene) {
@@ -93,6 +109,7 @@ void open_document(AppState& state, OpenedFile opened) {
   if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
   state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
   set_title(state);
+  add_glyphs(state.ui.glyphs, state.document());
   state.notices.close_all();
   add_warnings_of_scene(state);
 }
@@ -203,6 +220,8 @@ void update_pivot(AppState& state) {
 }  // namespace
 
 void update_state(AppState& state, ImageView& live_image) {
+  if (state.options.sharing)
+    for (const std::string& message : state.options.sharing->take_messages()) state.notices.add_message(message);
   take_opened_file(state);
   take_saved_files(state);
   take_saved_session(state);

@@ -1,6 +1,9 @@
 // The main loop: waits for events, updates the state, and draws when something visible has changed.
 #include "viewer/viewer.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -53,6 +56,8 @@ class Application {
     if (auto started = host_.start(); !started) return started;
     if (auto started = live_image_.start(); !started) return started;
     state_.settings = settings;
+    for (const std::string& file : settings.recent) state_.ui.glyphs.add(file);
+    state_.ui.glyphs.take_change();
     update_style();
     state_.panels = PanelSet(make_panels());
     add_all_actions(state_.actions, state_.panels);
@@ -95,7 +100,7 @@ class Application {
     UiContext& ui = state_.ui;
     ui.scale = settings.ui_scale > 0 ? settings.ui_scale : platform_.scale();
     ui.theme = apply_theme(settings.dark, ui.scale);
-    ui.fonts = load_fonts(std::round(settings.font_size * ui.scale));
+    ui.fonts = load_fonts(std::round(settings.font_size * ui.scale), ui.glyphs);
     state_.interface.style_is_outdated = false;
     request_frames(kFramesPerEvent);
   }
@@ -128,8 +133,16 @@ class Application {
     const bool drawing_is_due = frames_left_ > 0 || new_content_is_due(now) || is_file_active(state_) || is_moving() ||
                                 (script && script->needs_frame());
     if (drawing_is_due) draw();
-    if (state_.files.journal) state_.files.journal->update(*state_.editor);
+    if (state_.files.journal) update_journal(*state_.files.journal);
     update_interface_share(Clock::now());  // after drawing, so that the share is at most 1
+  }
+
+  void update_journal(EditJournal& journal) {
+    journal.update(*state_.editor);
+    if (const auto problem = journal.take_problem()) {
+      state_.notices.add_message("Unsaved edits cannot be recovered after a crash: " + *problem);
+      request_frames(kFramesPerEvent);
+    }
   }
 
   void take_events(Clock::time_point now) {
@@ -146,6 +159,8 @@ class Application {
       size_ = size;
       request_frames(kFramesPerEvent);
     }
+    for (const unsigned character : input.text) state_.ui.glyphs.add(character);
+    if (input.control() && input.keys_pressed.test(GLFW_KEY_V)) state_.ui.glyphs.add(platform_.clipboard());
     for (const auto& file : input.dropped) state_.open_file(file);
     if (state_.viewport.comparison->update_shift(input, state_.interface.typing, now)) request_frames(1);
   }
@@ -171,8 +186,8 @@ class Application {
     const auto start = Clock::now();
     const auto seconds = static_cast<float>(render::seconds_between(last_draw_, start));
     last_draw_ = start;
-    if (state_.interface.style_is_outdated) update_style();
     update_state(state_, live_image_);
+    if (state_.interface.style_is_outdated || state_.ui.glyphs.take_change()) update_style();
     notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
     // Off-screen, a slow frame must not separate the two clicks of a double click.
     host_.begin_frame(state_.ui.input, platform_.has_display() ? seconds : std::min(seconds, kMaxOffscreenFrame));
@@ -181,10 +196,19 @@ class Application {
     if (state_.viewport.frame && state_.timing.first_image_seconds == 0)
       state_.timing.first_image_seconds = process_age();
     if (frames_left_ > 0) --frames_left_;
+    read_new_messages();
+    if (state_.ui.glyphs.has_change()) request_frames(kFramesPerEvent);
     clear_frame_input();
     const double took = render::seconds_between(start, Clock::now());
     pacing_.add_redraw(took);
     interface_seconds_ += took;
+  }
+
+  // Messages may contain characters that the fonts do not have yet.
+  void read_new_messages() {
+    const auto& log = state_.notices.log();
+    for (size_t i = std::min(messages_read_, log.size()); i < log.size(); ++i) state_.ui.glyphs.add(log[i].text);
+    messages_read_ = log.size();
   }
 
   void draw_window() {
@@ -228,6 +252,7 @@ class Application {
   Vec2i size_{0};
   Pacing pacing_;
   int frames_left_ = kFramesPerEvent;  // to draw in any case
+  size_t messages_read_ = 0;           // of the log
   bool notices_fade_ = false;
   bool image_waits_ = false;  // a new image or result will be drawn after the interval
   double interface_seconds_ = 0;

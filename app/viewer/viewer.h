@@ -2,6 +2,10 @@
 #pragma once
 #include <string>
 
+namespace etendue::render {
+class SharedSampling;
+}
+
 namespace etendue::viewer {
 
 struct ViewOptions {
@@ -13,6 +17,7 @@ struct ViewOptions {
   int threads = 0;       // 0: one per hardware thread
   bool safe = false;     // settings and unsaved edits of earlier runs are neither read nor written
   std::string settings;  // folder for them; empty: the folders of the user, except for scripts and off-screen runs
+  render::SharedSampling* sharing = nullptr;  // other processes that render samples; null: none
 };
 
 // Runs until the window is closed or the script ends. Returns the exit code. Errors are written to standard error.

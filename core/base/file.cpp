@@ -9,6 +9,8 @@
 #include <memory>
 #include <system_error>
 
+#include "base/provided_files.h"
+
 namespace etendue {
 namespace fs = std::filesystem;
 
@@ -37,6 +39,7 @@ fs::path temporary_beside(const fs::path& path) {
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const fs::path& path) {
+  if (const auto* provided = provided_file(path)) return *provided;
   std::error_code code;
   const auto status = fs::status(path, code);
   if (!fs::exists(status)) return input_error(path.string() + ": there is no such file");
@@ -48,7 +51,10 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   if (!file) return input_error(path.string() + ": cannot be read: " + std::strerror(errno));
   const auto size = fs::file_size(path, code);
   std::vector<std::byte> bytes(code ? 0 : size);
-  if (!code && std::fread(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) return bytes;
+  if (!code && std::fread(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) {
+    note_file_read(path);
+    return bytes;
+  }
   return input_error(path.string() + ": the file could not be read completely");
 }
 

@@ -63,7 +63,7 @@ Piecewise1D::Piecewise1D(std::span<const float> values)
   }
 }
 
-Piecewise1D::Sample Piecewise1D::sample(float u) const {
+Piecewise1D::Point Piecewise1D::find(float u) const {
   const auto bucket = static_cast<size_t>(u * static_cast<float>(guide_.size() - 1));
   const auto first = cdf_.begin() + guide_[bucket] + 1;
   const auto last = cdf_.begin() + std::min<std::ptrdiff_t>(guide_[std::min(bucket + 2, guide_.size() - 1)] + 1,
@@ -74,7 +74,12 @@ Piecewise1D::Sample Piecewise1D::sample(float u) const {
   const float inside = width > 0 ? (u - cdf_[cell]) / width : 0.5f;
   const float n = static_cast<float>(values_.size());
   const float x = std::min((static_cast<float>(cell) + inside) / n, kOneMinusEpsilon);
-  return {x, integral_ > 0 ? values_[cell] / integral_ : 1.0f, static_cast<uint32_t>(cell)};
+  return {x, static_cast<uint32_t>(cell)};
+}
+
+Piecewise1D::Sample Piecewise1D::sample(float u) const {
+  const Point point = find(u);
+  return {point.x, integral_ > 0 ? values_[point.cell] / integral_ : 1.0f, point.cell};
 }
 
 float Piecewise1D::pdf(float x) const {
@@ -95,6 +100,11 @@ Piecewise2D::Sample Piecewise2D::sample(Vec2 u) const {
   const auto v = marginal_.sample(u.y);
   const auto h = rows_[v.cell].sample(u.x);
   return {Vec2(h.x, v.x), h.pdf * v.pdf};
+}
+
+Vec2 Piecewise2D::find(Vec2 u) const {
+  const auto v = marginal_.find(u.y);
+  return {rows_[v.cell].find(u.x).x, v.x};
 }
 
 float Piecewise2D::pdf(Vec2 uv) const {

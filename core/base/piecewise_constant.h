@@ -57,6 +57,12 @@ class Piecewise1D {
   float integral() const { return integral_; }
   size_t size() const { return values_.size(); }
   Sample sample(float u) const;
+  // `sample` without the density.
+  struct Point {
+    float x;
+    uint32_t cell;
+  };
+  Point find(float u) const;
   float pdf(float x) const;
 
  private:
@@ -83,6 +89,8 @@ class Piecewise2D {
   bool empty() const { return rows_.empty(); }
   float integral() const { return marginal_.integral(); }
   Sample sample(Vec2 u) const;
+  // `sample` without the density.
+  Vec2 find(Vec2 u) const;
   float pdf(Vec2 uv) const;
 
  private:

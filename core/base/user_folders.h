@@ -13,4 +13,8 @@ std::filesystem::path state_folder();
 // Files that can be computed again: $XDG_CACHE_HOME/etendue or ~/.cache/etendue.
 std::filesystem::path cache_folder();
 
+// The folder of the user's pictures: XDG_PICTURES_DIR of $XDG_CONFIG_HOME/user-dirs.dirs, or ~/Pictures. Empty if it does
+// not exist.
+std::filesystem::path pictures_folder();
+
 }  // namespace etendue

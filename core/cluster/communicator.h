@@ -13,7 +13,7 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
-// Functions return at once unless stated otherwise. They are called from one thread.
+// Functions return at once unless stated otherwise. They are called from one thread at a time.
 class Communicator {
  public:
   virtual int rank() const = 0;
@@ -23,7 +23,8 @@ class Communicator {
   virtual void send(int to, std::vector<std::byte> bytes) = 0;
   // The next message that has arrived completely, if there is one.
   virtual std::optional<Message> receive() = 0;
-  // Waits until all ranks have called this function. Nothing can be sent afterwards.
+  // Waits until all ranks have called this function, or ends the process if that takes long. Nothing can be sent
+  // afterwards.
   virtual void close() = 0;
   // Ends all ranks and this process without waiting for ranks that do not answer. Does not return.
   [[noreturn]] virtual void abort(int exit_code) = 0;

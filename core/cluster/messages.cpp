@@ -3,11 +3,28 @@
 #include "base/state_bytes.h"
 
 namespace etendue::cluster {
+namespace {
+
+template <class Value>
+std::vector<std::byte> value_message(MessageKind kind, const Value& value) {
+  StateWriter out;
+  out.value(value);
+  return message(kind, out.take());
+}
+
+template <class Value>
+std::optional<Value> value_from(std::span<const std::byte> body) {
+  Value value;
+  StateReader in(body);
+  return in.value(value) && in.at_end() ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
 
 std::optional<MessageKind> kind_of(std::span<const std::byte> message) {
   if (message.empty()) return std::nullopt;
   const auto kind = static_cast<MessageKind>(message[0]);
-  return kind >= MessageKind::document && kind <= MessageKind::goodbye ? std::optional(kind) : std::nullopt;
+  return kind >= MessageKind::document && kind <= MessageKind::scene ? std::optional(kind) : std::nullopt;
 }
 
 std::vector<std::byte> message(MessageKind kind, std::span<const std::byte> body) {
@@ -42,16 +59,18 @@ std::optional<RankIdentity> identity_from(std::span<const std::byte> body) {
   return identity;
 }
 
-std::vector<std::byte> piece_message(const Piece& piece) {
-  StateWriter out;
-  out.value(piece);
-  return message(MessageKind::piece, out.take());
-}
+std::vector<std::byte> piece_message(const Piece& piece) { return value_message(MessageKind::piece, piece); }
 
 std::optional<Piece> piece_from(std::span<const std::byte> body) {
-  Piece piece;
-  if (!StateReader(body).value(piece) || piece.samples.is_empty()) return std::nullopt;
-  return piece;
+  const auto piece = value_from<Piece>(body);
+  return piece && !piece->samples.is_empty() && piece->collector >= 0 ? piece : std::nullopt;
 }
+
+std::vector<std::byte> arrival_message(const Arrival& arrival) { return value_message(MessageKind::arrival, arrival); }
+std::optional<Arrival> arrival_from(std::span<const std::byte> body) { return value_from<Arrival>(body); }
+std::vector<std::byte> decision_message(const Decision& decision) {
+  return value_message(MessageKind::decision, decision);
+}
+std::optional<Decision> decision_from(std::span<const std::byte> body) { return value_from<Decision>(body); }
 
 }  // namespace etendue::cluster

@@ -23,12 +23,13 @@ int number_from_environment(std::initializer_list<const char*> names, int otherw
   return otherwise;
 }
 
-// Of the job: by Open MPI, MPICH.
-int launched_size() { return number_from_environment({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1); }
+constexpr const char* kSizeByOpenMpi = "OMPI_COMM_WORLD_SIZE";
 
 }  // namespace
 
-bool is_mpi_job() { return launched_size() > 1; }
+// Schedulers set the variable of MPICH for single processes too that are not part of a job of MPI.
+bool is_mpi_job() { return launched_ranks() > 1 || number_from_environment({kSizeByOpenMpi}, 0) == 1; }
+int launched_ranks() { return number_from_environment({kSizeByOpenMpi, "PMI_SIZE"}, 1); }
 int launched_rank() { return is_mpi_job() ? number_from_environment({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0) : 0; }
 int processes_on_machine() { return number_from_environment({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}, 1); }
 
@@ -37,8 +38,8 @@ Result<Communicator*> join_mpi_job() {
   if (!plugin) return input_error("mpirun: " + plugin.error().message);
   Communicator* const communicator = (*static_cast<const JoinJob*>(*plugin))();
   if (!communicator) return input_error("mpirun: the ranks of this job cannot be joined; see the message of MPI above");
-  if (communicator->size() != launched_size())
-    return input_error("mpirun: the launcher has started " + std::to_string(launched_size()) +
+  if (communicator->size() != launched_ranks())
+    return input_error("mpirun: the launcher has started " + std::to_string(launched_ranks()) +
                        " ranks, but MPI has joined " + std::to_string(communicator->size()) +
                        "; use the mpirun of Open MPI");
   return communicator;

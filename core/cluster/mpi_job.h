@@ -5,10 +5,11 @@
 
 namespace etendue::cluster {
 
-// Whether this process is one of several that a launcher of MPI programs has started together. Only environment
-// variables are read.
+// Whether a launcher of MPI programs has started this process, as one of several or, by the mpirun of Open MPI, alone.
+// Only environment variables are read.
 bool is_mpi_job();
-// The rank as stated by the launcher; 0 without one.
+// The number of processes of the job, and the rank of this one, as stated by the launcher; 1 and 0 without one.
+int launched_ranks();
 int launched_rank();
 // The number of processes of the job on this machine; 1 without a launcher.
 int processes_on_machine();

@@ -7,6 +7,11 @@ namespace etendue::cluster {
 PieceRenderer::PieceRenderer(render::Document document, int threads)
     : document_(std::move(document)), session_({.threads = threads}) {}
 
+void PieceRenderer::set_document(render::Document document) {
+  cancel();
+  document_ = std::move(document);
+}
+
 void PieceRenderer::begin(const Piece& piece) {
   render::Document part = document_;
   part.part = {.first_sample = piece.samples.first, .region = std::nullopt};

@@ -12,6 +12,10 @@ class PieceRenderer {
   // Threads as in render::SessionOptions.
   PieceRenderer(render::Document document, int threads);
 
+  // Replaces the document. A piece that is being rendered is abandoned.
+  void set_document(render::Document document);
+  void pause(bool paused) { session_.pause(paused); }
+
   // Begins a piece. One that is being rendered is abandoned.
   void begin(const Piece& piece);
   void cancel();

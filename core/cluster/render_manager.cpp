@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/number_text.h"
+#include "cluster/sent_scene.h"
 #include "render/limit_progress.h"
 #include "render/tail_statistics.h"
 #include "sampling/sampler.h"
@@ -41,6 +43,10 @@ RenderManager::RenderManager(Communicator& communicator, ManagerSetup setup)
   sent.limits = {};
   const std::string state = render::state_json(sent, 0);
   ranks_[0] = RankState::ready;
+  if (setup_.files) {
+    pass_on(communicator_, sent_scene_message({state, *std::exchange(setup_.files, std::nullopt)}));
+    return;
+  }
   for (int rank = 1; rank < communicator_.size(); ++rank)
     communicator_.send(rank, text_message(MessageKind::document, state));
 }
@@ -57,9 +63,9 @@ Result<void> RenderManager::step() {
     start_ = render::Clock::now();
     if (setup_.document.limits.seconds > 0) schedule_.set_deadline(setup_.document.limits.seconds);
   }
-  if (const auto result = renderer_.take_result())
-    if (schedule_.complete(0, result->piece.id, now())) merge(*result);
+  if (const auto result = renderer_.take_result()) receive_own(*result);
   if (is_finished()) return {};
+  collect();
   for (int rank = 0; rank < communicator_.size(); ++rank) give_work(rank);
   return {};
 }
@@ -78,6 +84,10 @@ Result<void> RenderManager::handle(const Message& message) {
   const auto kind = kind_of(message.bytes);
   if (kind == MessageKind::result)
     receive_result(message.from, body_of(message.bytes));
+  else if (kind == MessageKind::arrival)
+    receive_arrival(message.from, body_of(message.bytes));
+  else if (kind == MessageKind::sum)
+    receive_sum(message.from, body_of(message.bytes));
   else if (kind == MessageKind::ready || kind == MessageKind::failed)
     return connect(message.from, message.bytes);
   return {};
@@ -98,6 +108,14 @@ Result<void> RenderManager::connect(int rank, const std::vector<std::byte>& mess
   return {};
 }
 
+void RenderManager::receive_own(const PieceResult& result) {
+  if (!schedule_.complete(0, result.piece.id, now())) return;
+  const auto start = render::Clock::now();
+  merge(result);
+  // A first estimate, so that collectors begin before many ranks have their first pieces.
+  if (bytes_received_ == 0) schedule_.set_merge_seconds(render::seconds_since(start));
+}
+
 void RenderManager::receive_result(int rank, std::span<const std::byte> bytes) {
   bytes_received_ += bytes.size();
   const auto start = render::Clock::now();
@@ -106,13 +124,46 @@ void RenderManager::receive_result(int rank, std::span<const std::byte> bytes) {
     schedule_.reject(rank);
     return;
   }
-  const bool is_new = schedule_.complete(rank, result->piece.id, now());
+  const bool is_new = schedule_.is_at(rank, 0) && schedule_.complete(rank, result->piece.id, now());
   give_work(rank);  // first, so that the rank does not wait for the merging
   if (!is_new) return;
   merge(*result);
   const double seconds = render::seconds_since(start);
   merge_seconds_ += seconds;
   schedule_.set_merge_seconds(seconds);
+}
+
+// A result has arrived at its collector, which adds it if it is new.
+void RenderManager::receive_arrival(int collector, std::span<const std::byte> bytes) {
+  const auto arrival = arrival_from(bytes);
+  if (!arrival || arrival->rank < 1 || arrival->rank >= communicator_.size()) return;
+  if (arrival->is_damaged != 0) {
+    if (schedule_.is_at(arrival->rank, collector)) schedule_.reject(arrival->rank);
+    return;
+  }
+  const bool is_new =
+      schedule_.is_at(arrival->rank, collector) && schedule_.complete(arrival->rank, arrival->piece, now());
+  give_work(arrival->rank);
+  communicator_.send(collector, decision_message({arrival->rank, is_new ? 1 : 0, arrival->piece}));
+}
+
+void RenderManager::receive_sum(int collector, std::span<const std::byte> bytes) {
+  bytes_received_ += bytes.size();
+  const auto start = render::Clock::now();
+  const auto result = piece_result_from(bytes, setup_.document.width, setup_.document.height);
+  if (!result) {
+    schedule_.retire(collector);
+    return;
+  }
+  if (!schedule_.deliver(collector)) return;
+  merge(*result);
+  merge_seconds_ += render::seconds_since(start);
+}
+
+void RenderManager::collect() {
+  while (const auto late = schedule_.late_collector(now())) schedule_.retire(*late);
+  while (const auto collector = schedule_.next_to_collect(now()))
+    communicator_.send(*collector, message(MessageKind::collect));
 }
 
 void RenderManager::merge(const PieceResult& result) {
@@ -169,11 +220,18 @@ render::Status RenderManager::status() {
 }
 
 std::string RenderManager::summary() const {
-  std::string text = std::to_string(communicator_.size()) + " ranks rendered ";
+  const int ranks = communicator_.size();
+  std::string text = std::to_string(ranks) + (ranks == 1 ? " rank rendered " : " ranks rendered ");
   for (int rank = 0; rank < communicator_.size(); ++rank)
     text += (rank > 0 ? " + " : "") + std::to_string(schedule_.samples_of(rank));
   text += " samples per pixel";
+  if (bytes_received_ > 0)
+    text += "; rank 0 added " +
+            format_text("%.1f MB of results in %.2f s", 1e-6 * static_cast<double>(bytes_received_), merge_seconds_);
   if (schedule_.repeated_pieces() > 0) text += "; repeated pieces: " + std::to_string(schedule_.repeated_pieces());
+  if (schedule_.collectors() > 0) text += "; ranks that added results: " + std::to_string(schedule_.collectors());
+  if (schedule_.retired_collectors() > 0)
+    text += ", of which failed: " + std::to_string(schedule_.retired_collectors());
   if (schedule_.damaged_results() > 0) text += "; damaged results: " + std::to_string(schedule_.damaged_results());
   for (int rank = 1; rank < communicator_.size(); ++rank)
     if (ranks_[static_cast<size_t>(rank)] == RankState::lost || schedule_.is_late(rank, now()))

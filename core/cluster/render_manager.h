@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provided_files.h"
 #include "cluster/communicator.h"
 #include "cluster/messages.h"
 #include "cluster/piece_renderer.h"
@@ -21,6 +22,8 @@ struct ManagerSetup {
   render::PartialSamples samples = {};  // that exist already; an empty film: none
   SampleRanges done = {};               // their numbers
   ScheduleOptions schedule = {};
+  // The files of the scene, sent to the other ranks; without them each rank reads the scene.
+  std::optional<std::vector<ProvidedFile>> files = {};
   double connect_seconds = 120;  // ranks that have not opened the document after this time take no part
 };
 
@@ -49,7 +52,11 @@ class RenderManager {
   Result<void> connect(int rank, const std::vector<std::byte>& message);
   void give_up_connecting();
   bool is_connecting() const;
+  void receive_own(const PieceResult& result);
   void receive_result(int rank, std::span<const std::byte> bytes);
+  void receive_arrival(int collector, std::span<const std::byte> bytes);
+  void receive_sum(int collector, std::span<const std::byte> bytes);
+  void collect();
   void merge(const PieceResult& result);
   void give_work(int rank);
   void update_error();

@@ -19,12 +19,18 @@ constexpr uint32_t kGrowth = 8;
 constexpr double kLateAtEnd = 1.5;
 // Seconds between two searches for late pieces where no other work is left.
 constexpr double kLookInterval = 0.05;
+// Collectors that send their sums at the same time, so that these do not fill the memory of rank 0.
+constexpr int kMostAsked = 4;
+// Fewer ranks have no collectors.
+constexpr int kFewestForCollectors = 32;
 constexpr uint32_t kMostSamples = 1'000'000;  // per pixel
 
 }  // namespace
 
 WorkSchedule::WorkSchedule(int ranks, uint32_t samples, SampleRanges done, const ScheduleOptions& options)
-    : options_(options), samples_(samples), ranks_(static_cast<size_t>(ranks)), done_(std::move(done)), begun_(done_) {}
+    : options_(options), samples_(samples), ranks_(static_cast<size_t>(ranks)), done_(std::move(done)), begun_(done_) {
+  if (options.collectors) collectors_.begin(std::clamp(*options.collectors, 0, ranks - 1));
+}
 
 std::optional<size_t> WorkSchedule::find(uint64_t id) const {
   const auto found = std::ranges::find(open_, id, [](const OpenPiece& open) { return open.piece.id; });
@@ -56,8 +62,30 @@ double WorkSchedule::seconds_per_sample(int rank) const {
   return measured > 0 ? measured : typical_seconds_per_sample_;
 }
 
-// The duration of pieces with which rank 0 is always merging.
-double WorkSchedule::merging_seconds() const { return merge_seconds_ * active_ranks(); }
+// Collectors begin where rank 0 could not add the results of all ranks. The square root balances the work of rank 0 and
+// of the collectors.
+void WorkSchedule::set_merge_seconds(double seconds) {
+  merge_seconds_ = seconds;
+  const int ranks = active_ranks();
+  if (options_.collectors || collectors_.count() > 0 || ranks < kFewestForCollectors) return;
+  if (seconds * ranks <= options_.merge_load * options_.longest_piece) return;
+  collectors_.begin(static_cast<int>(std::lround(std::sqrt(ranks))));
+  for (int c = 1; c <= collectors_.count(); ++c)
+    if (!rank_at(c).is_active) collectors_.retire(c);
+}
+
+// The duration of pieces with which rank 0 is always merging, or a collector half of its time. A collector that is always
+// merging could not answer in time.
+double WorkSchedule::merging_seconds() const {
+  const int groups = collectors_.usable();
+  if (groups == 0) return merge_seconds_ * active_ranks();
+  return 2 * merge_seconds_ * (active_ranks() + groups - 1) / groups;
+}
+
+// The time between two sums of a collector.
+double WorkSchedule::collecting_seconds() const {
+  return std::max(options_.longest_piece, merge_seconds_ * collectors_.count() / options_.merge_load);
+}
 
 double WorkSchedule::piece_seconds(double now) const {
   double seconds = std::max(options_.longest_piece, merging_seconds() / options_.merge_load);
@@ -105,6 +133,7 @@ const WorkSchedule::OpenPiece* WorkSchedule::late_piece(double now) const {
 Piece WorkSchedule::assign(int rank, const Piece& piece, double now) {
   Rank& r = rank_at(rank);
   r.piece = piece;
+  r.piece->collector = collectors_.collector_of(rank);
   r.begun = now;
   r.planned = seconds_per_sample(rank) * piece.samples.size();
   const auto index = find(piece.id);
@@ -114,7 +143,7 @@ Piece WorkSchedule::assign(int rank, const Piece& piece, double now) {
     open_.push_back({piece, {rank}});
   if (index) ++repeated_pieces_;
   begun_.add(piece.samples);
-  return piece;
+  return *r.piece;
 }
 
 std::optional<Piece> WorkSchedule::next(int rank, double now) {
@@ -127,7 +156,7 @@ std::optional<Piece> WorkSchedule::next(int rank, double now) {
   if (seconds_per_sample(rank) <= 0 && open_.size() >= kPilots) return std::nullopt;
   if (!gap.is_empty()) {
     const uint32_t size = std::min(gap.size(), piece_samples(rank, now));
-    return assign(rank, {++last_id_, {gap.first, gap.first + size}}, now);
+    return assign(rank, {.id = ++last_id_, .samples = {gap.first, gap.first + size}}, now);
   }
   for (const OpenPiece& open : open_)
     if (open.ranks.size() == 1 && is_expected_late(open, now)) return assign(rank, Piece(open.piece), now);
@@ -162,22 +191,82 @@ void WorkSchedule::release(int rank, uint64_t id) {
 bool WorkSchedule::complete(int rank, uint64_t piece, double now) {
   Rank& r = rank_at(rank);
   if (!r.piece || r.piece->id != piece) return false;
-  const SampleRange samples = r.piece->samples;
+  const Piece answered = *r.piece;
+  const SampleRange& samples = answered.samples;
+  const auto index = find(piece);
+  const bool is_at_collector = answered.collector > 0;
+  if (is_at_collector && !collectors_.is_usable(answered.collector)) {
+    release(rank, piece);
+    return false;
+  }
   r.piece.reset();
   measure(r, samples, now - r.begun);
-  const auto index = find(piece);
   if (!index) return false;  // another rank has completed it
   open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(*index));
-  done_.add(samples);
+  if (is_at_collector)
+    collectors_.hold(answered.collector, samples);
+  else
+    done_.add(samples);
   r.samples += samples.size();
   return true;
+}
+
+bool WorkSchedule::has_open_piece_for(int collector) const {
+  return std::ranges::any_of(ranks_, [&](const Rank& r) { return r.piece && r.piece->collector == collector; });
+}
+
+// Once all samples have been begun, a collector sends its sum when its group has no work any more.
+std::optional<int> WorkSchedule::next_to_collect(double now) {
+  if (collectors_.count() == 0) return std::nullopt;
+  int asked = 0;
+  for (int c = 1; c <= collectors_.count(); ++c) asked += collectors_.is_asked(c) ? 1 : 0;
+  if (asked >= kMostAsked) return std::nullopt;
+  const bool is_ending = begun_.first_gap(samples_ > 0 ? samples_ : kMostSamples).is_empty();
+  for (int c = 1; c <= collectors_.count(); ++c) {
+    const bool is_due = collectors_.is_due(c, now, collecting_seconds()) ||
+                        (is_ending && collectors_.has_samples(c) && !has_open_piece_for(c));
+    if (!is_due) continue;
+    collectors_.ask(c, now);
+    return c;
+  }
+  return std::nullopt;
+}
+
+bool WorkSchedule::deliver(int collector) {
+  const SampleRanges delivered = collectors_.deliver(collector);
+  for (const SampleRange& range : delivered.ranges()) done_.add(range);
+  return delivered.count() > 0;
+}
+
+// An answer may have to wait until the collector has added the results of its group, and rank 0 other sums.
+std::optional<int> WorkSchedule::late_collector(double now) const {
+  const double patience =
+      options_.patience * (options_.shortest_patience + kMostAsked * merge_seconds_ + merging_seconds());
+  for (int c = 1; c <= collectors_.count(); ++c)
+    if (collectors_.is_usable(c) && (is_late(c, now) || collectors_.is_overdue(c, now, patience))) return c;
+  return std::nullopt;
+}
+
+// The results that are on their way to the collector are lost too. Their ranks receive other pieces.
+void WorkSchedule::retire(int collector) {
+  if (!collectors_.is_usable(collector)) return;
+  const SampleRanges lost = collectors_.retire(collector);
+  for (const SampleRange& range : lost.ranges()) begun_.remove(range);
+  for (size_t i = 0; i < ranks_.size(); ++i)
+    if (ranks_[i].piece && ranks_[i].piece->collector == collector && static_cast<int>(i) != collector)
+      release(static_cast<int>(i), ranks_[i].piece->id);
+  ++retired_collectors_;
+  no_work_until_ = 0;
 }
 
 void WorkSchedule::reject(int rank) {
   ++damaged_results_;
   Rank& r = rank_at(rank);
   if (r.piece) release(rank, r.piece->id);
-  if (++r.damaged >= options_.most_damaged) r.is_active = false;
+  if (++r.damaged >= options_.most_damaged) {
+    r.is_active = false;
+    retire(rank);
+  }
   update_speeds();
 }
 
@@ -185,6 +274,7 @@ void WorkSchedule::remove(int rank) {
   Rank& r = rank_at(rank);
   r.is_active = false;
   if (r.piece) release(rank, r.piece->id);
+  retire(rank);
   update_speeds();
 }
 

@@ -5,6 +5,8 @@
 // time that all ranks together need for the rest, so that all end at about the same time. A piece whose rank is late is
 // given to another rank as well; the first answer counts. Both have the same bits.
 //
+// With many ranks, results go to collectors (cluster/collectors.h), and their sums to rank 0.
+//
 // The schedule has no clock and sends nothing: times are arguments, in seconds from any origin.
 #pragma once
 #include <cstdint>
@@ -12,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "cluster/collectors.h"
 #include "cluster/sample_ranges.h"
 
 namespace etendue::cluster {
@@ -26,11 +29,16 @@ struct ScheduleOptions {
   // The time that the first piece of a rank may take besides, because the scene is compiled.
   double first_patience = 60;
   int most_damaged = 3;  // damaged results after which a rank receives no more pieces
+  // Ranks that add up results for rank 0. Without a number it follows from the duration of adding a result: none, or
+  // the square root of the number of ranks.
+  std::optional<int> collectors = {};
 };
 
 struct Piece {
   uint64_t id = 0;
   SampleRange samples;
+  int32_t collector = 0;  // the rank that receives the result
+  int32_t unused = 0;     // so that the bytes of a message are defined
 };
 
 class WorkSchedule {
@@ -41,14 +49,23 @@ class WorkSchedule {
   // No piece is planned to end later than this time by more than half of the duration of one sample.
   void set_deadline(double time) { deadline_ = time; }
   // The measured duration of adding one result to the film of rank 0.
-  void set_merge_seconds(double seconds) { merge_seconds_ = seconds; }
+  void set_merge_seconds(double seconds);
 
   // The next piece of a rank that has none; nothing if there is no work for it at present.
   std::optional<Piece> next(int rank, double now);
-  // A rank has answered. Returns whether the samples of its piece are new and have to be merged.
+  // The answer of a rank has arrived at its collector. Returns whether the samples of its piece are new and have to be
+  // merged.
   bool complete(int rank, uint64_t piece, double now);
   // The answer of a rank to its piece is damaged.
   void reject(int rank);
+  // The collector that has to send its sum now, if there is one.
+  std::optional<int> next_to_collect(double now);
+  // The sum of a collector has arrived. Returns whether it has to be merged.
+  bool deliver(int collector);
+  // A collector that does not answer, if there is one.
+  std::optional<int> late_collector(double now) const;
+  // The collector is not used any more. What it has not delivered is rendered again.
+  void retire(int collector);
   // The rank does not exist any more. Its piece is given to another one.
   void remove(int rank);
   // No further samples are begun. Those between samples that exist are still completed.
@@ -61,12 +78,20 @@ class WorkSchedule {
 
   // Samples that a rank has rendered and that were new.
   uint32_t samples_of(int rank) const { return ranks_[static_cast<size_t>(rank)].samples; }
+  // Whether the result of the rank's piece goes to this collector.
+  bool is_at(int rank, int collector) const {
+    const Rank& r = rank_at(rank);
+    return r.piece && r.piece->collector == collector;
+  }
   // Whether the rank has a piece and is late.
   bool is_late(int rank, double now) const;
   // Ranks that receive work.
   int active_ranks() const;
+  // Ranks that add up results for rank 0.
+  int collectors() const { return collectors_.count(); }
   uint32_t repeated_pieces() const { return repeated_pieces_; }  // pieces that were given to a further rank
   uint32_t damaged_results() const { return damaged_results_; }
+  uint32_t retired_collectors() const { return retired_collectors_; }
 
  private:
   struct Rank {
@@ -89,6 +114,8 @@ class WorkSchedule {
   double seconds_per_sample(int rank) const;
   void update_speeds();
   double merging_seconds() const;
+  double collecting_seconds() const;
+  bool has_open_piece_for(int collector) const;
   double piece_seconds(double now) const;
   uint32_t piece_samples(int rank, double now) const;
   bool is_expected_late(const OpenPiece& open, double now) const;
@@ -103,11 +130,12 @@ class WorkSchedule {
   double merge_seconds_ = 0;
   std::vector<Rank> ranks_;
   std::vector<OpenPiece> open_;
-  SampleRanges done_, begun_;                                       // begun_: done, or in an open piece
+  Collectors collectors_;
+  SampleRanges done_, begun_;                                       // begun_: done, at a collector, or in an open piece
   double typical_seconds_per_sample_ = 0, samples_per_second_ = 0;  // of active ranks; 0: not known
   double no_work_until_ = 0;
   uint64_t last_id_ = 0;
-  uint32_t repeated_pieces_ = 0, damaged_results_ = 0;
+  uint32_t repeated_pieces_ = 0, damaged_results_ = 0, retired_collectors_ = 0;
 };
 
 }  // namespace etendue::cluster

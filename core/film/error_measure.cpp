@@ -4,13 +4,9 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "film/relative_error.h"
 
 namespace etendue::film {
 namespace {
-
-// Rows of the image per range in which the relative error is computed.
-constexpr int kBandRows = 64;
 
 struct MeasureText {
   const char* label;
@@ -20,7 +16,8 @@ struct MeasureText {
 const MeasureText& text_of(ErrorMeasure measure) {
   static constexpr std::array<MeasureText, kErrorMeasures.size()> kTexts{
       {{"RMSE", "Root mean square error over pixels and channels, in the unit of the image"},
-       {"relative error", "Root mean square of the error relative to the true value; 0.01 is added to the squared value"},
+       {"relative error",
+        "Root mean square of the error relative to the true value; 0.01 is added to the squared value"},
        {"displayed error",
         "Root mean square error of the displayed image, after exposure, tone mapping and sRGB encoding. 100 % is the "
         "difference between black and white"}}};
@@ -34,8 +31,8 @@ RowError displayed_error_of_row(const Film& film, const DisplayTransform& displa
   RowError row;
   RowSum sum(row.absolute);
   for (int x = 0; x < film.width(); ++x) {
-    const Film::Pixel& p = film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(film.width()) +
-                                         static_cast<size_t>(x)];
+    const Film::Pixel& p =
+        film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(film.width()) + static_cast<size_t>(x)];
     if (p.count[0] == 0 || p.count[1] == 0) return {.absolute = {}, .known = false};
     const Rgb a = display(film.half_buffer_mean(x, y, 0));
     const Rgb b = display(film.half_buffer_mean(x, y, 1));
@@ -48,37 +45,15 @@ RowError displayed_error_of_row(const Film& film, const DisplayTransform& displa
 }
 
 MeasuredError relative_error_of(const Film& film, const RangeRunner& run) {
-  const size_t values = film.pixels().size() * 3;
-  std::vector<float> rgb(values), variance(values);
-  std::vector<char> known(static_cast<size_t>(film.height()), 1);
-  const auto copy_rows = [&](int first, int end) {
-    for (int y = first; y < end; ++y)
-      for (int x = 0; x < film.width(); ++x) {
-        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(film.width()) + static_cast<size_t>(x);
-        const Film::Pixel& p = film.pixels()[i];
-        if (p.count[0] == 0 || p.count[1] == 0) known[static_cast<size_t>(y)] = 0;
-        const Rgb mean = film.mean(x, y), v = film.variance_of_mean(x, y);
-        for (int c = 0; c < 3; ++c) {
-          rgb[3 * i + static_cast<size_t>(c)] = mean[c];
-          variance[3 * i + static_cast<size_t>(c)] = v[c];
-        }
-      }
+  const std::optional<RelativeError> e = relative_error(film, run);
+  if (!e) return {};
+  const auto has_light = [](const Film::Pixel& p) {
+    return std::ranges::any_of(p.sum, [](const auto& sum) { return sum != std::array<double, 3>{}; });
   };
-  if (!run(film.height(), copy_rows)) return {};
-  const bool has_light = std::ranges::any_of(rgb, [](float v) { return v != 0; });
-  if (!has_light || std::ranges::find(known, 0) != known.end()) return {};
-  std::vector<RelativeErrorSum> sums(static_cast<size_t>((film.height() + kBandRows - 1) / kBandRows));
-  const auto sum_bands = [&](int first, int end) {
-    for (int band = first; band < end; ++band)
-      sums[static_cast<size_t>(band)] =
-          relative_error_of_rows(film.width(), film.height(), rgb, variance, band * kBandRows,
-                                 std::min(film.height(), (band + 1) * kBandRows));
-  };
-  if (!run(static_cast<int>(sums.size()), sum_bands)) return {};
-  const RelativeError e = relative_error(sums, static_cast<double>(values));
-  return {.value = std::sqrt(e.relmse),
-          .interval = {std::sqrt(e.interval.low), std::sqrt(e.interval.high)},
-          .variation = e.root_variation,
+  if (e->relmse == 0 && std::ranges::none_of(film.pixels(), has_light)) return {};
+  return {.value = std::sqrt(e->relmse),
+          .interval = {std::sqrt(e->interval.low), std::sqrt(e->interval.high)},
+          .variation = e->root_variation,
           .known = true};
 }
 
@@ -95,7 +70,8 @@ std::string error_text(ErrorMeasure measure, double error) {
 }
 
 MeasuredError measured_rmse(const ErrorEstimate& error) {
-  return {.value = error.rmse, .interval = error.rmse_interval, .variation = error.rmse_variation, .known = error.known};
+  return {
+      .value = error.rmse, .interval = error.rmse_interval, .variation = error.rmse_variation, .known = error.known};
 }
 
 MeasuredError measured_error(const Film& film, ErrorMeasure measure, const DisplayTransform& display,

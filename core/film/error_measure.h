@@ -16,6 +16,7 @@
 
 #include "base/parameter.h"
 #include "film/film.h"
+#include "film/relative_error.h"
 #include "image/display.h"
 
 namespace etendue::film {
@@ -48,10 +49,6 @@ struct MeasuredError {
   bool known = false;    // as ErrorEstimate::known
 };
 MeasuredError measured_rmse(const ErrorEstimate& error);
-
-// Runs a function for consecutive ranges that cover [0, count), on any number of threads. Returns false if it was
-// interrupted.
-using RangeRunner = std::function<bool(int count, const std::function<void(int begin, int end)>& task)>;
 
 // Estimates the error from the two half-buffers. The result does not depend on `run`, which by default uses the calling
 // thread. Unknown if it is interrupted. Per pixel and thread, `rmse` takes about 0.02 us, `displayed` 0.2 us, and

@@ -14,8 +14,13 @@ void add_rounding_errors(Film& to, const Film& from, int x, int y, uint32_t half
 }  // namespace
 
 void add_film(Film& to, const Film& from) {
-  const Film::Pixel* pixel = from.pixels().data();
-  for (int y = 0; y < from.height(); ++y)
+  add_rows(to, from, 0, from.height());
+  add_invalid_samples(to, from);
+}
+
+void add_rows(Film& to, const Film& from, int first, int end) {
+  const Film::Pixel* pixel = from.pixels().data() + static_cast<ptrdiff_t>(first) * from.width();
+  for (int y = first; y < end; ++y)
     for (int x = 0; x < from.width(); ++x, ++pixel) {
       const bool is_exact = !from.rounding_errors().any_at(x, y);
       for (uint32_t half = 0; half < kHalfBuffers; ++half) {
@@ -23,6 +28,9 @@ void add_film(Film& to, const Film& from) {
         if (!is_exact) add_rounding_errors(to, from, x, y, half);
       }
     }
+}
+
+void add_invalid_samples(Film& to, const Film& from) {
   InvalidSamples invalid = to.invalid_samples();
   merge(invalid, from.invalid_samples());
   to.set_invalid_samples(invalid);

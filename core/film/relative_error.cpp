@@ -22,6 +22,8 @@ constexpr double kSelfWeight = 0.05, kEqualSelfWeight = 1;
 // The same in the mean of the squared errors.
 constexpr double kSelfSquareWeight = 0.2;
 constexpr double kRelmseOffset = 0.01;
+// Rows of the image per range.
+constexpr int kBandRows = 64;
 
 struct Offset {
   int x, y;
@@ -243,16 +245,38 @@ RelativeError relative_error(int width, int height, std::span<const float> rgb, 
   return relative_error({&sum, 1}, 3.0 * width * height);
 }
 
-std::optional<RelativeError> relative_error(const Film& film) {
-  std::vector<float> rgb, variance;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      if (film.half_buffer_samples(x, y, 0) == 0 || film.half_buffer_samples(x, y, 1) == 0) return {};
-      const Rgb m = film.mean(x, y), v = film.variance_of_mean(x, y);
-      rgb.insert(rgb.end(), {m.r, m.g, m.b});
-      variance.insert(variance.end(), {v.r, v.g, v.b});
-    }
-  return relative_error(film.width(), film.height(), rgb, variance);
+std::optional<RelativeError> relative_error(const Film& film, const RangeRunner& given_run) {
+  const auto run_here = [](int count, const std::function<void(int, int)>& task) {
+    task(0, count);
+    return true;
+  };
+  const RangeRunner run = given_run ? given_run : RangeRunner(run_here);
+  const size_t values = film.pixels().size() * 3;
+  std::vector<float> rgb(values), variance(values);
+  std::vector<char> known(static_cast<size_t>(film.height()), 1);
+  const auto copy_rows = [&](int first, int end) {
+    for (int y = first; y < end; ++y)
+      for (int x = 0; x < film.width(); ++x) {
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(film.width()) + static_cast<size_t>(x);
+        const Film::Pixel& p = film.pixels()[i];
+        if (p.count[0] == 0 || p.count[1] == 0) known[static_cast<size_t>(y)] = 0;
+        const Rgb mean = film.mean(x, y), v = film.variance_of_mean(x, y);
+        for (int c = 0; c < 3; ++c) {
+          rgb[3 * i + static_cast<size_t>(c)] = mean[c];
+          variance[3 * i + static_cast<size_t>(c)] = v[c];
+        }
+      }
+  };
+  if (!run(film.height(), copy_rows) || std::ranges::find(known, 0) != known.end()) return {};
+  std::vector<RelativeErrorSum> sums(static_cast<size_t>((film.height() + kBandRows - 1) / kBandRows));
+  const auto sum_bands = [&](int first, int end) {
+    for (int band = first; band < end; ++band)
+      sums[static_cast<size_t>(band)] =
+          relative_error_of_rows(film.width(), film.height(), rgb, variance, band * kBandRows,
+                                 std::min(film.height(), (band + 1) * kBandRows));
+  };
+  if (!run(static_cast<int>(sums.size()), sum_bands)) return {};
+  return relative_error(sums, static_cast<double>(values));
 }
 
 }  // namespace etendue::film

@@ -12,6 +12,7 @@
 // pixels; and the change of the estimate if the pixel's own mean had the same weight as the others, which bounds the
 // bias from similar pixels of different radiance.
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -45,7 +46,12 @@ RelativeError relative_error(std::span<const RelativeErrorSum> sums, double valu
 // `rgb` and `variance` (of the mean) have three numbers per pixel. Takes about 0.7 us per pixel.
 RelativeError relative_error(int width, int height, std::span<const float> rgb, std::span<const float> variance);
 
-// Empty until every pixel has a sample in both half-buffers.
-std::optional<RelativeError> relative_error(const Film& film);
+// Runs a function for consecutive ranges that cover [0, count), on any number of threads. Returns false if it was
+// interrupted.
+using RangeRunner = std::function<bool(int count, const std::function<void(int begin, int end)>& task)>;
+
+// Empty until every pixel has a sample in both half-buffers, or if it was interrupted. The result does not depend on
+// `run`, which by default uses the calling thread.
+std::optional<RelativeError> relative_error(const Film& film, const RangeRunner& run = {});
 
 }  // namespace etendue::film

@@ -11,6 +11,7 @@
 
 #include "base/error_free.h"
 #include "base/vectorize.h"
+#include "film/tail_capacity.h"
 
 namespace etendue::film {
 namespace {
@@ -165,11 +166,11 @@ void TailAccumulator::store(float x) {
   if (largest_.capacity() < capacity_) largest_.reserve(capacity_);
   largest_.push_back(x);
   if (largest_.size() < capacity_) return;
-  const size_t half = capacity_ / 2;
-  const auto end = largest_.begin() + static_cast<std::ptrdiff_t>(half);
+  const size_t kept = kept_deviations(capacity_);
+  const auto end = largest_.begin() + static_cast<std::ptrdiff_t>(kept);
   std::nth_element(largest_.begin(), end, largest_.end(), std::greater<>());
   threshold_ = *end;
-  largest_.resize(half);
+  largest_.resize(kept);
 }
 
 void TailAccumulator::merge(const TailAccumulator& other) {
@@ -221,18 +222,24 @@ Tail TailAccumulator::report() const {
   Tail tail;
   tail.samples = samples_;
   tail.vov = vov();
+  // Only those that are always kept, so that the report does not depend on the order of the deviations.
   std::vector<float> descending = largest_;
   std::sort(descending.begin(), descending.end(), std::greater<>());
+  float lowest = threshold_;
+  if (const size_t kept = kept_deviations(capacity_); descending.size() > kept) {
+    lowest = descending[kept];
+    descending.resize(kept);
+  }
 
   const auto brightest = static_cast<size_t>(std::ceil(kBrightest * static_cast<double>(samples_)));
   const auto end = descending.begin() + static_cast<std::ptrdiff_t>(std::min(brightest, descending.size()));
   if (sum_ > 0) tail.brightest_share = std::accumulate(descending.begin(), end, 0.0) / sum_;
   // With a threshold of zero all positive deviations are stored.
-  tail.brightest_share_is_lower_bound = threshold_ > 0 && brightest > descending.size();
+  tail.brightest_share_is_lower_bound = lowest > 0 && brightest > descending.size();
 
   if (tail_length(samples_) < kMinExceedances) return tail;
   const size_t length = std::min(tail_length(samples_), descending.size());
-  const double threshold = length < descending.size() ? descending[length] : threshold_;
+  const double threshold = length < descending.size() ? descending[length] : lowest;
   const auto x = exceedances_of(descending, length, threshold);
   if (x.empty()) tail.khat = kNoTailShape;
   if (x.size() < kMinExceedances) return tail;

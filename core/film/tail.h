@@ -45,13 +45,13 @@ struct Tail {
 // positive. The prior draws it towards 1/2 with the weight of ten samples.
 double fit_pareto(std::span<const double> exceedances);
 
-// Accumulates deviations and stores the largest of them: between half of the capacity and the capacity. Deviations below
-// the threshold cost one comparison. The same deviations in the same order give bit-identical reports. Another order
-// changes the rounding of the sums and possibly the length of the tail.
+// Accumulates deviations and stores the largest of them: between 3/4 of the capacity and the capacity. Deviations below
+// the threshold cost one comparison. Reports use at most 3/4 of the capacity, so they do not depend on the order of the
+// deviations, except for the rounding of the sums.
 class TailAccumulator {
  public:
-  // The tail has the length of [Vehtari et al. 2024] up to (capacity / 6)^2 samples. The share of the brightest is exact
-  // up to capacity / 0.0002 samples.
+  // The tail has the length of [Vehtari et al. 2024] up to (capacity / 4)^2 samples. The share of the brightest is exact
+  // up to 7500 capacity samples.
   explicit TailAccumulator(size_t capacity = 8192) : capacity_(capacity) {}
   // An accumulator that continues from a state.
   TailAccumulator(size_t capacity, const TailState& state);

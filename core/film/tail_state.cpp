@@ -5,6 +5,7 @@
 
 #include "base/error_free.h"
 #include "base/state_bytes.h"
+#include "film/tail_capacity.h"
 
 namespace etendue::film {
 namespace {
@@ -26,7 +27,7 @@ void merge(TailState& state, const TailState& other, size_t capacity) {
   auto& largest = state.largest;
   largest.insert(largest.end(), other.largest.begin(), other.largest.end());
   std::ranges::sort(largest, std::greater<>());
-  const size_t kept = capacity / 2;
+  const size_t kept = kept_deviations(capacity);
   if (largest.size() <= kept) return;
   state.threshold = std::max(state.threshold, largest[kept]);
   largest.resize(kept);

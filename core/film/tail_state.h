@@ -14,7 +14,7 @@ struct TailState {
   // Exact sums as expansions (base/error_free.h): of samples, of squared deviations and of their fourth powers.
   std::vector<double> sum, squares, fourths;
   float threshold = 0;         // the largest deviation that is not stored; 0 if all positive ones are
-  std::vector<float> largest;  // descending; at most half of the capacity of an accumulator
+  std::vector<float> largest;  // descending; at most three quarters of the capacity (film/tail_capacity.h)
 
   friend bool operator==(const TailState&, const TailState&) = default;
 };

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/file.h"
+#include "base/provided_files.h"
 #include "image/format.h"
 #include "image/plugin.h"
 
@@ -73,7 +74,9 @@ Result<Image> decode_by_plugin(std::span<const std::byte> bytes, const std::stri
 Result<Image> read_linear_by_plugin(const fs::path& path, const ImageFormat& format) {
   const auto plugin = image_plugin();
   if (!plugin) return with_name(path.string(), plugin.error());
-  return (*plugin)->read({.path = path.string(),
+  const auto* provided = provided_file(path);
+  const MemoryFile file(provided ? Bytes(*provided) : Bytes());
+  return (*plugin)->read({.path = provided ? file.path() : path.string(),
                           .name = path.string(),
                           .format = reader_of(&format),
                           .values = PluginValues::linear,

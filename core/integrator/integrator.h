@@ -31,6 +31,8 @@ class PathRecorder;
 
 namespace etendue::integrator {
 
+struct SolutionView;
+
 // The constants of one rendering.
 struct RenderContext {
   const scene::CompiledScene* scene;
@@ -43,6 +45,9 @@ struct RenderContext {
   // The time of all paths, from 0 (shutter opens) to 1 (shutter closes). Empty: each path samples its own time if the
   // scene moves.
   std::optional<float> shared_time{};
+  // The name and the parameters of the sampler, for integrators that need another one of its kind.
+  std::string_view sampler_name = "sobol";
+  std::span<const Setting> sampler_settings{};
 
   bool samples_time() const { return model->moving && !shared_time; }
 };
@@ -102,6 +107,10 @@ class RenderState {
   virtual std::shared_ptr<const std::vector<StoredPoint>> points() const { return nullptr; }
   // Called between tasks.
   virtual std::vector<Statistic> statistics() const { return {}; }
+  // Approximations and failures that affect the image, as sentences for people. Called between tasks.
+  virtual std::vector<std::string> notes() const { return {}; }
+  // The solution of the radiosity equation as far as it is known; null if the integrator has none. Called between tasks.
+  virtual std::shared_ptr<const SolutionView> solution_view() const { return nullptr; }
 
   // The serialised state that later samples depend on (the states of Markov chains), as it was before sample `sample`,
   // which is the current or the next one. Empty if there is none. An equal rendering that restores it before its first

@@ -46,6 +46,7 @@ struct Environment {
   Rgb tint{0};
   float rotation = 0;                     // radians
   bool visible = true;                    // to camera rays
+  bool backdrop = false;                  // if it is not visible: camera rays see a grey gradient instead of black
   std::optional<Sky> sky = std::nullopt;  // what the map and the sun were computed from
   std::optional<SunDisk> sun = std::nullopt;
   EmissionSpectrumRef spectrum = {};  // of all light from infinity; its RGB value multiplies the tint

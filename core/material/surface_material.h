@@ -33,6 +33,10 @@ struct SurfaceMaterial {
       const Vec2 uv = point.uv[use.uv_set];
       return lookup(*texture, encoding, identity ? uv : transformed(use, uv), point.footprint * scale);
     }
+    void prefetch(const TexturePoint& point) const {
+      const Vec2 uv = point.uv[use.uv_set];
+      if (texture) etendue::prefetch(*texture, identity ? uv : transformed(use, uv));
+    }
   };
 
   Material description;  // its emission includes that of its spectrum
@@ -81,6 +85,12 @@ struct SurfaceMaterial {
 
   // Base colour (RGB) and alpha, including texture and vertex colour, clamped to [0, 1]; black for an unlit material.
   Vec4 base_color_at(const TexturePoint& point) const;
+  // Starts loading the texels of the maps that most textured materials have.
+  void prefetch_texels(const TexturePoint& point) const {
+    base_color.prefetch(point);
+    metallic_roughness.prefetch(point);
+    normal.prefetch(point);
+  }
   // The probability that a ray hits the surface here: 0 or 1 for alpha mode mask, alpha for blend.
   float opacity_at(const TexturePoint& point) const;
   // Emitted radiance, W/(m^2 sr).

@@ -132,6 +132,25 @@ Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv, float footprint)
   return glm::mix(upper, lower, fy);
 }
 
+void prefetch(const Texture& texture, Vec2 uv) {
+  if (!texture.image || texture.image->empty()) return;
+  const image::Image& image = *texture.image;
+  const float shift = texture.nearest ? 0 : 0.5f;
+  const int left = wrapped(static_cast<int>(std::floor(bounded(uv.x) * static_cast<float>(image.width) - shift)),
+                           image.width, texture.wrap_u);
+  const int row = static_cast<int>(std::floor(bounded(uv.y) * static_cast<float>(image.height) - shift));
+  for (const int y : {row, row + 1}) {
+    const size_t at =
+        (static_cast<size_t>(wrapped(y, image.height, texture.wrap_v)) * static_cast<size_t>(image.width) +
+         static_cast<size_t>(left)) *
+        static_cast<size_t>(image.channels);
+    if (image.type == image::PixelType::float32)
+      __builtin_prefetch(&image.floats[at]);
+    else
+      __builtin_prefetch(&image.bytes[at]);
+  }
+}
+
 Vec2 transformed(const TextureUse& use, Vec2 uv) {
   const Vec2 scaled = uv * use.scale;
   if (use.rotation == 0) return use.offset + scaled;

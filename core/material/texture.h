@@ -44,6 +44,10 @@ struct TextureUse {
 // images; images in memory are not filtered. 0 selects the full resolution.
 Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv, float footprint = 0);
 
+// Starts loading the texels that `lookup` reads at uv into the caches, if they are in memory. Texels of large textures
+// are rarely there; loading those of many points together hides the latency.
+void prefetch(const Texture& texture, Vec2 uv);
+
 // The texture coordinates after the transform of the use.
 Vec2 transformed(const TextureUse& use, Vec2 uv);
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 
+#include "base/file.h"
+#include "base/provided_files.h"
 #include "medium/grid_plugin.h"
 #include "medium/nanovdb_reader.h"
 
@@ -29,16 +30,6 @@ void remove_invalid(std::vector<float>& values) {
     if (!(v > 0) || !std::isfinite(v)) v = 0;
 }
 
-Result<std::vector<std::byte>> bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-  if (size < 0) return input_error(path + ": cannot be opened; give the path of a .nvdb or .vdb file");
-  std::vector<std::byte> bytes(static_cast<size_t>(size));
-  in.seekg(0);
-  if (!in.read(reinterpret_cast<char*>(bytes.data()), size)) return input_error(path + ": cannot be read");
-  return bytes;
-}
-
 }  // namespace
 
 Result<GridValues> parse_grid_file(std::span<const std::byte> bytes, const std::string& name) {
@@ -56,13 +47,14 @@ Result<std::shared_ptr<const GridValues>> load_grid_file(const std::string& path
   static std::mutex mutex;
   static std::map<std::string, LoadedFile> loaded;
   std::error_code error;
-  const auto changed = std::filesystem::last_write_time(path, error);
+  std::filesystem::file_time_type changed;
+  if (!provided_file(path)) changed = std::filesystem::last_write_time(path, error);
   if (error)
     return input_error(path + ": cannot be read: " + error.message() + "; give the path of a .nvdb or .vdb file");
   const std::lock_guard lock(mutex);
   LoadedFile& entry = loaded[path];
   if (auto values = entry.values.lock(); values && entry.changed == changed) return values;
-  const auto bytes = bytes_of(path);
+  const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   auto read = parse_grid_file(*bytes, path);
   if (!read) return read.error();

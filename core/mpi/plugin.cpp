@@ -6,10 +6,12 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <deque>
 #include <list>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "cluster/communicator.h"
@@ -20,7 +22,8 @@ namespace {
 using cluster::Message;
 
 constexpr size_t kLargestChunk = size_t{1} << 28;  // bytes
-constexpr int kMoreFollows = 1, kLastChunk = 2;    // tags
+constexpr auto kLongestClosing = std::chrono::seconds(20);
+constexpr int kMoreFollows = 1, kLastChunk = 2;  // tags
 
 class MpiCommunicator final : public cluster::Communicator {
  public:
@@ -54,9 +57,18 @@ class MpiCommunicator final : public cluster::Communicator {
     return std::nullopt;
   }
 
+  // Messages that nobody needs any more are received until all ranks have sent theirs. If a rank has died, that does not
+  // happen.
   void close() override {
-    for (Outgoing& out : outgoing_)
-      MPI_Waitall(static_cast<int>(out.requests.size()), out.requests.data(), MPI_STATUSES_IGNORE);
+    const auto start = std::chrono::steady_clock::now();
+    const auto wait = [&] {
+      if (std::chrono::steady_clock::now() - start > kLongestClosing) abort(1);
+      discard_messages();
+    };
+    while (!outgoing_.empty()) wait();
+    MPI_Request barrier = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
+    for (int done = 0; done == 0; MPI_Test(&barrier, &done, MPI_STATUS_IGNORE)) wait();
     MPI_Finalize();
   }
 
@@ -80,6 +92,12 @@ class MpiCommunicator final : public cluster::Communicator {
     std::deque<Chunk> chunks;
     std::vector<std::byte> begun;  // the first chunks of a message
   };
+
+  void discard_messages() {
+    while (receive()) {
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
 
   void complete_sends() {
     outgoing_.remove_if([](Outgoing& out) {
@@ -128,7 +146,8 @@ class MpiCommunicator final : public cluster::Communicator {
 
 cluster::Communicator* join() {
   int provided = 0;
-  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) return nullptr;
+  // One thread at a time, which need not be the same: the viewer joins the job on its main thread.
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS) return nullptr;
   static MpiCommunicator communicator;
   return &communicator;
 }

@@ -102,6 +102,13 @@ double coaxial_disks(double r1, double r2, double distance) {
   return 0.5 * (x - std::sqrt(x * x - 4 * square(b / a)));
 }
 
+double point_to_disk(double r, double distance, double offset) {
+  const double h2 = square(distance), r2 = square(r), a2 = square(offset), sum = h2 + a2 + r2;
+  const double root = std::sqrt(square(sum) - 4 * a2 * r2), beyond = sum - 2 * r2;
+  // (1 - beyond / root) / 2 without cancellation for small disks.
+  return beyond < 0 ? 0.5 * (1 - beyond / root) : 2 * h2 * r2 / (root * (root + beyond));
+}
+
 double point_to_rectangle(double u, double v, double w) {
   const double x = u / w, y = v / w, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
   return (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * kPiD);

@@ -18,6 +18,8 @@ double parallel_rectangles(double a, double b, double c);
 double perpendicular_rectangles(double x, double y);
 // Between coaxial parallel disks of radii r1 (emitting) and r2 at a distance.
 double coaxial_disks(double r1, double r2, double distance);
+// From a point to a parallel disk of radius r at a distance; the axis of the disk passes the point at `offset`.
+double point_to_disk(double r, double distance, double offset = 0);
 // From a point to a parallel rectangle of sides u and v at distance w, with a corner above the point.
 double point_to_rectangle(double u, double v, double w);
 

@@ -7,9 +7,9 @@
 //   reciprocity   A_i F_ij = A_j F_ji
 //   closure       the sum of F_ij over j is 1 in a closed scene, and less if light escapes
 //
-// A method estimates the row of one element at a time. FormFactors combines the two estimates of every pair, so that
-// reciprocity holds exactly, and then scales the result symmetrically [Knight et al. 2014]: rows whose estimates add up to
-// 1 or more, as in a closed room, get the sum 1, and all others at most 1.
+// A method estimates the row of one element at a time. FormFactorAssembly combines the two estimates of every pair, so
+// that reciprocity holds exactly, and then scales the result symmetrically [Knight et al. 2014]: rows whose estimates add
+// up to 1 or more, as in a closed room, get the sum 1, and all others at most 1.
 #pragma once
 #include <span>
 #include <string_view>
@@ -38,6 +38,8 @@ class RowBuilder {
   // Returns the row and removes it.
   FormFactorRow finish();
 
+  static constexpr size_t kBytesPerElement = sizeof(double) + sizeof(uint32_t);
+
  private:
   std::vector<double> sums_;
   std::vector<uint32_t> touched_;
@@ -47,6 +49,7 @@ class RowBuilder {
 // clang-format off
 #define ETENDUE_FORM_FACTOR_METHODS(ENTRY)                             \
   ENTRY(hemisphere, "hemisphere", "Hemisphere sampling")               \
+  ENTRY(nusselt, "nusselt", "Nusselt's analogue")                      \
   ENTRY(hemicube, "hemicube", "Hemicube")                              \
   ENTRY(area_sampling, "area", "Area-to-area Monte Carlo")             \
   ENTRY(point_to_polygon, "point-polygon", "Points to polygon")        \
@@ -82,11 +85,6 @@ struct FormFactorSettings {
   friend bool operator==(const FormFactorSettings&, const FormFactorSettings&) = default;
 };
 
-// Bytes that the form factors of so many elements need at most while they are built.
-size_t largest_memory(size_t elements, const FormFactorSettings& settings);
-// The largest number of elements whose form factors fit.
-size_t most_elements(size_t bytes, const FormFactorSettings& settings);
-
 class FormFactors {
  public:
   // How well the estimated rows satisfy the properties. Elements that see no other element are left out.
@@ -96,17 +94,21 @@ class FormFactors {
     double asymmetry = 0;  // sum of |A_i F_ij - A_j F_ji| over the sum of A_i F_ij + A_j F_ji, of the estimated rows
     double scaling_error = 0;  // largest difference of a row sum to the required one after scaling
   };
+  // The same of one row.
+  struct RowQuality {
+    float closure = 0, asymmetry = 0;
+  };
 
   FormFactors() = default;
-  // `areas` has the area of every element. Takes the rows.
+  FormFactors(FormFactors&&) = default;
+  FormFactors& operator=(FormFactors&&) = default;
+  // `areas` has the area of every element. Runs all steps of a FormFactorAssembly.
   FormFactors(std::vector<FormFactorRow> rows, std::vector<double> areas);
 
   size_t size() const { return areas_.size(); }
   const std::vector<double>& areas() const { return areas_; }
   // The factors of row i: A_i F_ij with column j.
-  std::span<const FormFactor> exchanges(size_t i) const {
-    return {entries_.data() + starts_[i], starts_[i + 1] - starts_[i]};
-  }
+  std::span<const FormFactor> exchanges(size_t i) const { return rows_[i]; }
   double factor(size_t i, size_t j) const;
   // The sum of F_ij x_j over j.
   double row_times(size_t i, std::span<const double> x) const {
@@ -117,16 +119,16 @@ class FormFactors {
   double closure(size_t i) const;
 
   const Quality& quality() const { return quality_; }
+  const std::vector<RowQuality>& row_quality() const { return row_quality_; }  // by element
   size_t memory() const;
 
  private:
-  void symmetrize(std::vector<FormFactorRow>& rows);
-  void measure_rows(const std::vector<FormFactorRow>& rows);
-  void scale(const std::vector<bool>& closed);
+  friend class FormFactorAssembly;
 
   std::vector<double> areas_;
-  std::vector<size_t> starts_;
-  std::vector<FormFactor> entries_;
+  std::vector<std::vector<FormFactor>> blocks_;  // the rows of consecutive elements
+  std::vector<std::span<FormFactor>> rows_;      // parts of the blocks
+  std::vector<RowQuality> row_quality_;
   Quality quality_;
 };
 

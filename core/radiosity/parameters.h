@@ -16,8 +16,10 @@ struct Parameters {
       "of form factors grow at least in proportion",
       "",
       Scale::logarithmic};
-  Choice<Meshing> meshing{"meshing", "Subdivision", Meshing::area,
-                          "How triangles are divided: into patches of similar area, or all alike"};
+  Choice<Meshing> meshing{
+      "meshing", "Subdivision", Meshing::area,
+      "How triangles are divided: into patches of similar area, all alike, or with powers of two as parts of "
+      "each edge, which hierarchical form factors need"};
   Number<int> steps{
       "steps",
       "Subdivision steps",
@@ -31,7 +33,7 @@ struct Parameters {
                    "Rays per patch",
                    256,
                    {1, 1'000'000},
-                   "Rays per patch side of hemisphere sampling and of the hemicube. Raising it reduces noise and takes "
+                   "Rays per patch side, for the methods that do not treat pairs. Raising it reduces noise and takes "
                    "longer",
                    "",
                    Scale::logarithmic};
@@ -58,12 +60,12 @@ struct Parameters {
                            "Relaxation factor",
                            1,
                            {0.01f, 4},
-                           "Of successive over-relaxation. It can converge between 0 and 2"};
+                           "Factor of successive over-relaxation; the iteration can converge between 0 and 2"};
   Number<int> memory_limit{"memory-limit",
                            "Memory limit",
                            2048,
                            {1, 1 << 20},
-                           "Scenes whose form factors may need more are refused with the number of patches that fit",
+                           "Scenes whose radiosity may need more are refused with the number of patches that fit",
                            "MiB",
                            Scale::logarithmic};
 
@@ -83,16 +85,21 @@ struct Parameters {
     settings.relaxation = static_cast<double>(relaxation);
     return settings;
   }
-  SolutionPlan plan(uint64_t seed) const {
+  SolutionPlan plan(uint64_t seed, SamplerChoice sampler) const {
     return {.factors = factor_settings(),
             .light_samples = static_cast<uint32_t>(light_samples),
             .seed = seed,
-            .field = {.solver = solver, .settings = solver_settings(), .counted = {}}};
+            .field = {.solver = solver, .settings = solver_settings(), .counted = {}},
+            .sampler = std::move(sampler)};
   }
 };
 
-// Why the form factors of a scene do not fit into the memory limit, with the number of patches that do; empty if they
-// fit. There are `solutions` at the same time.
+// Bytes that `solutions` of a mesh with so many patches need at most: the mesh, the form factors of all solutions, those
+// of one more while they are built, and the solver.
+size_t memory_of(size_t patches, const Parameters& parameters, size_t solutions);
+
+// Why the solutions of a scene do not fit into the memory limit, with the number of patches that do; empty if they fit.
+// There are `solutions` at the same time.
 std::string too_many_patches(const scene::CompiledScene& scene, const Parameters& parameters, size_t solutions);
 
 }  // namespace etendue::radiosity

@@ -41,12 +41,15 @@ class StepChoice {
  public:
   StepChoice(const scene::CompiledScene& scene, const MeshSettings& settings)
       : settings_(settings),
-        patch_area_(settings.meshing == Meshing::area ? total_area(scene) / std::max(1, settings.patches) : 0) {}
+        patch_area_(settings.meshing != Meshing::uniform ? total_area(scene) / std::max(1, settings.patches) : 0) {}
 
   uint32_t operator()(const Facet& f) const {
     if (!has_area(f)) return 0;
     if (settings_.meshing == Meshing::uniform) return static_cast<uint32_t>(settings_.steps);
-    return static_cast<uint32_t>(std::max(1.0, std::round(std::sqrt(area_of(f) / patch_area_))));
+    const double steps = std::sqrt(area_of(f) / patch_area_);
+    if (settings_.meshing == Meshing::quadtree)
+      return static_cast<uint32_t>(std::exp2(std::max(0.0, std::round(std::log2(steps)))));
+    return static_cast<uint32_t>(std::max(1.0, std::round(steps)));
   }
 
  private:
@@ -76,6 +79,9 @@ PatchMesh::PatchMesh(const scene::CompiledScene& scene, const MeshSettings& sett
     quality_.shapes += instance.round ? 1 : 0;
   }
   cells_.resize(cells);
+  size_t count = 0;
+  for_each_triangle(scene, [&](uint32_t, uint32_t, const Facet& f) { count += sqr(size_t{steps(f)}); });
+  patches_.reserve(count);
   for_each_triangle(scene, [&](uint32_t i, uint32_t t, const Facet& f) {
     const uint32_t k = steps(f);
     ++quality_.triangles;

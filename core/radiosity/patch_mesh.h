@@ -16,12 +16,13 @@ namespace etendue::radiosity {
 
 inline constexpr uint32_t kNoElement = 0xffffffffU;
 
-enum class Meshing : uint8_t { area, uniform };
+enum class Meshing : uint8_t { area, uniform, quadtree };
 
 struct MeshSettings {
   Meshing meshing = Meshing::area;
   int patches = 2000;  // for Meshing::area: k is chosen such that the scene has about this many patches of similar area
   int steps = 4;       // for Meshing::uniform: k of every triangle
+  // Meshing::quadtree is Meshing::area with powers of two for k, so that the patches of a triangle form a quadtree.
   friend bool operator==(const MeshSettings&, const MeshSettings&) = default;
 };
 
@@ -100,6 +101,6 @@ class PatchMesh {
 
 template <>
 struct etendue::Options<etendue::radiosity::Meshing> {
-  static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"area", "Similar area"}, {"uniform", "Same for all triangles"}}};
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"area", "Similar area"}, {"uniform", "Same for all triangles"}, {"quadtree", "Powers of two"}}};
 };

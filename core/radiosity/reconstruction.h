@@ -28,6 +28,8 @@ class PatchVertices {
     return value(0) * (1 - at.barycentric.x - at.barycentric.y) + value(1) * at.barycentric.x +
            value(2) * at.barycentric.y;
   }
+  // At most, while the vertices are found: the corners, and up to three vertices in a hash table.
+  static constexpr size_t kBytesPerPatch = 3 * (sizeof(uint32_t) + 64);
   size_t memory() const { return corners_.capacity() * sizeof(corners_[0]); }
 
  private:

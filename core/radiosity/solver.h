@@ -10,12 +10,17 @@
 // with the maximum norm, bounds the error of an approximation B of the solution B* by its residual. All solvers stop when
 // this bound is small.
 //
+// Solvers can be stopped within a sweep and continued, with the same result bit for bit.
+//
 // A solver is a .cpp file in solvers/ and a line below.
 #pragma once
+#include <chrono>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "radiosity/form_factors.h"
+#include "radiosity/keep_going.h"
 
 namespace etendue::radiosity {
 
@@ -45,8 +50,12 @@ struct RadiositySystem {
   double contraction() const;
   // The largest |r_i|.
   double residual(std::span<const double> radiosity) const;
+  double reflected_at(size_t i, std::span<const double> radiosity) const {
+    return reflectance[i] > 0 ? reflectance[i] * factors->row_times(i, radiosity) : 0;
+  }
+  double diagonal(size_t i) const { return 1 - reflectance[i] * factors->factor(i, i); }
   double residual_at(size_t i, std::span<const double> radiosity) const {
-    return source[i] - radiosity[i] + (reflectance[i] > 0 ? reflectance[i] * factors->row_times(i, radiosity) : 0);
+    return source[i] - radiosity[i] + reflected_at(i, radiosity);
   }
 };
 
@@ -66,36 +75,67 @@ enum class SolverStatus : uint8_t {
 struct Solution {
   std::vector<double> radiosity;
   std::vector<double> residuals;  // the largest |r_i| before the first sweep and after every sweep, relative to max S
+  std::vector<double> seconds;    // when each residual was reached, of solving without measuring residuals
   SolverStatus status = SolverStatus::converged;
   double error_bound = 0;  // of the radiosity, relative to its maximum; infinite if q is 1 or more
   std::string problem;     // why it did not converge, and what to change; empty if it did
 };
 
+// A solver at work on a system.
+class SolverIteration {
+ public:
+  virtual ~SolverIteration() = default;
+  // Completes the current sweep. False if it was stopped; the next call continues there.
+  virtual bool sweep(const KeepGoing* keep_going) = 0;
+  // The radiosity between two sweeps.
+  virtual std::vector<double> radiosity() const = 0;
+  // Whether another sweep would change anything.
+  virtual bool can_improve() const { return true; }
+};
+
 struct SolverInfo {
   const char* doc;  // the method, its convergence, its cost
-  Solution (*solve)(const RadiositySystem& system, const SolverSettings& settings);
+  std::unique_ptr<SolverIteration> (*begin)(const RadiositySystem& system, const SolverSettings& settings);
+  size_t bytes_per_element;       // of the iteration
+  size_t most_elements = 0;       // larger systems are refused; 0: no limit
+  bool has_dense_matrix = false;  // 8 bytes per pair of elements besides
 };
 const SolverInfo& info_of(SolverKind kind);
+// Bytes that the solution of a system of one colour component needs, without the form factors.
+size_t solver_memory(SolverKind kind, size_t elements);
+
+// The solution of a system by one solver, with the residual per sweep and the decision to stop. The system must outlive
+// it.
+class SolverRun {
+ public:
+  SolverRun(SolverKind kind, const RadiositySystem& system, const SolverSettings& settings);
+
+  // False if it was stopped; the next call continues. True if the solution is complete.
+  bool run(const KeepGoing* keep_going);
+  // Without the radiosity until it is complete.
+  const Solution& solution() const { return solution_; }
+
+ private:
+  bool measure(const KeepGoing* keep_going);
+  void judge();
+  void finish();
+  void refuse();
+  double bound() const;
+
+  const RadiositySystem& system_;
+  SolverSettings settings_;
+  double contraction_, scale_;  // q, max S
+  std::unique_ptr<SolverIteration> iteration_;
+  std::vector<double> radiosity_;  // whose residual is measured
+  size_t measured_ = 0;            // elements
+  double residual_ = 0;            // of these
+  bool needs_sweep_ = false, is_complete_ = false;
+  std::chrono::steady_clock::duration time_{0};  // of sweeps
+  Solution solution_;
+};
 
 // Solves by the given method.
 Solution solve(SolverKind kind, const RadiositySystem& system, const SolverSettings& settings);
-
-// The residual per sweep, and the decision to stop. For iterative solvers.
-class SolverProgress {
- public:
-  SolverProgress(const RadiositySystem& system, const SolverSettings& settings);
-
-  // To be called with the initial radiosity and after every sweep; whether to continue.
-  bool should_continue(std::span<const double> radiosity);
-  // Completes the solution that should_continue was called with last.
-  Solution finish(std::vector<double> radiosity);
-
- private:
-  const RadiositySystem& system_;
-  const SolverSettings& settings_;
-  double contraction_, scale_;
-  Solution solution_;
-};
 
 }  // namespace etendue::radiosity
 

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "film/film.h"
+#include "film/tail_state.h"
 
 namespace etendue::render {
 
@@ -14,13 +15,13 @@ struct Checkpoint {
   film::Film film;
   double seconds = 0;                            // of rendering so far
   std::vector<std::byte> integrator_state = {};  // integrator::RenderState::state
+  std::vector<film::TailState> tails = {};       // of the tiles (TailStatistics); empty if they are not known
 };
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-// Reads files of this version and of the two before. Version 3 has no rounding errors of the film, version 2 no integrator
-// state either. A truncated, foreign or damaged
-// file is an input error.
+// Reads files of this version and of the three before. Version 4 has no statistics of tails, version 3 no rounding errors
+// of the film either, and version 2 no integrator state. A truncated, foreign or damaged file is an input error.
 Result<Checkpoint> read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace etendue::render

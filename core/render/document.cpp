@@ -101,7 +101,7 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   if (!is_lit(s)) {
     document.lit_by_default = true;
     document.display.curve = image::ToneCurve::neutral;
-    s.environment = make_environment(builtin_environments().front());
+    s.environment = default_environment();
     s.warnings.emplace_back(kNoLightWarning);
   }
   document.scene_name = scene_file_or_name;
@@ -128,7 +128,9 @@ Result<Document> with_environment(const Document& document, const std::string& f
   if (!environment) return environment.error();
   const Environment& old = document.scene->environment;
   environment->rotation = old.rotation;
-  environment->visible = old.visible;
+  // A map is a background of its own.
+  environment->visible = old.visible || (old.backdrop && !find_builtin_environment(file));
+  environment->backdrop = old.backdrop;
   Document changed = document;
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   scene->environment = std::move(*environment);

@@ -56,12 +56,15 @@ struct MethodSettings {
 // Which integrators may be chosen automatically: by what their images converge to (integrator::Bias).
 enum class AllowedIntegrators { unbiased, consistent, anything };
 
+// What the automatic choice minimises: an error measure (film/error_measure.h), or the mean of FLIP.
+enum class MinimisedError : uint8_t { rmse, relative, displayed, flip };
+
 // The automatic choice of the method (lab/advisor/method_choice.h). It changes the document's method; a rendering uses
 // the method of the document whether it was chosen automatically or not.
 struct AutomaticMethod {
   bool enabled = false;
   AllowedIntegrators allow = AllowedIntegrators::unbiased;
-  film::ErrorMeasure error = film::ErrorMeasure::relative;  // to be minimised
+  MinimisedError error = MinimisedError::relative;
   std::string reason;  // why the present method was chosen; empty: no choice has been made yet
 
   bool is_pending() const { return enabled && reason.empty(); }
@@ -154,4 +157,10 @@ template <>
 struct etendue::Options<etendue::render::AllowedIntegrators> {
   static constexpr std::array<etendue::Option, 3> kOptions{
       {{"unbiased", "Unbiased"}, {"consistent", "Consistent"}, {"anything", "Anything"}}};
+};
+
+template <>
+struct etendue::Options<etendue::render::MinimisedError> {
+  static constexpr std::array<etendue::Option, 4> kOptions{
+      {{"rmse", "RMSE"}, {"relative", "Relative error"}, {"displayed", "Displayed error"}, {"flip", "FLIP"}}};
 };

@@ -141,11 +141,12 @@ DocumentParameters automatic_parameters(const Document& document) {
       }));
   list.push_back(make_parameter(
       "auto",
-      Choice<film::ErrorMeasure>{
+      Choice<MinimisedError>{
           "error", "Error to minimise", automatic.error,
           "Measure by which the automatic choice compares integrators. RMSE: bright pixels decide. Relative: relative "
-          "to the true value. Displayed: after exposure, tone mapping and sRGB encoding"},
-      [](Document& d, film::ErrorMeasure v) {
+          "to the true value. Displayed: after exposure, tone mapping and sRGB encoding. FLIP: perceived difference of "
+          "the displayed image"},
+      [](Document& d, MinimisedError v) {
         if (d.automatic.error != v) d.automatic.reason.clear();
         d.automatic.error = v;
       }));

@@ -49,6 +49,7 @@ void select_environment(Environment& environment, const std::string& name) {
   Environment selected = builtin ? make_environment(*builtin) : Environment{};
   selected.rotation = environment.rotation;
   selected.visible = environment.visible;
+  selected.backdrop = environment.backdrop;
   selected.spectrum = environment.spectrum;
   environment = std::move(selected);
 }
@@ -82,6 +83,7 @@ void set_sky(Document& document, const Sky& sky) {
     made.tint = s.environment.tint;
     made.rotation = s.environment.rotation;
     made.visible = s.environment.visible;
+    made.backdrop = s.environment.backdrop;
     made.spectrum = s.environment.spectrum;
     s.environment = std::move(made);
   });
@@ -181,6 +183,13 @@ DocumentParameters environment_parameters(const Document& document) {
                                 Toggle{"visible", "Visible to camera", e.visible,
                                        "Shows the environment as background. It illuminates the scene in either case"},
                                 store(&Environment::visible)));
+  list.push_back(
+      make_parameter(section,
+                     Toggle{"backdrop", "Grey backdrop", e.backdrop,
+                            "Background where the environment is hidden: a grey gradient, darker than a white "
+                            "surface, which emits no light. Off: black"},
+                     store(&Environment::backdrop)));
+  if (e.visible) list.back().inactive_reason = "the environment is visible to the camera";
   list.push_back(make_parameter(
       section, emission_spectrum_parameter("spectrum", e.spectrum), [](Document& d, const std::string& name) {
         edit_scene(d, [&](scene::Scene& s) { s.environment.spectrum = emission_spectrum_or_none(name); });

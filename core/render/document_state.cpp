@@ -5,8 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/provided_files.h"
 #include "light/environments/uniform.h"
+#include "render/default_light.h"
 #include "render/document.h"
+#include "render/state_opener.h"
 #include "render/structure_json.h"
 
 namespace etendue::render {
@@ -15,9 +18,10 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 // Recorded completely, because images are displayed without opening their scene.
 constexpr const char* kDisplaySection = "display";
+constexpr const char* kEnvironmentSection = "environment";
 
 std::optional<Value> from_json(const json& j) {
   if (j.is_boolean()) return Value(j.get<bool>());
@@ -40,7 +44,7 @@ Error invalid_state(const std::string& source) {
 std::string resolved(const std::string& file, const std::string& source) {
   const fs::path beside = fs::path(source).parent_path() / file;
   std::error_code code;
-  return !fs::exists(file, code) && fs::exists(beside, code) ? beside.string() : file;
+  return !provided_file(file) && !fs::exists(file, code) && fs::exists(beside, code) ? beside.string() : file;
 }
 
 // How a state in `folder` refers to a file: by a path relative to the folder if the file is in it or below, otherwise
@@ -65,10 +69,18 @@ std::map<std::string, Value> values_of(const Document& document, const std::stri
 // Whether a parameter decides which other parameters its section has.
 bool selects_parameters(const std::string& name) { return name.ends_with(".model") || name.ends_with(".preset"); }
 
-// Applies those settings that select parameters, or the others.
-Result<Document> with_settings(Document document, const json& settings, bool selecting, const std::string& source) {
+// The order in which settings are applied. An edit of an RGB coefficient removes its spectrum, so spectra are last.
+enum class SettingKind { selection, value, spectrum };
+
+SettingKind kind_of_setting(const std::string& name) {
+  if (selects_parameters(name)) return SettingKind::selection;
+  return name.ends_with("-spectrum") ? SettingKind::spectrum : SettingKind::value;
+}
+
+// Applies the settings of a kind.
+Result<Document> with_settings(Document document, const json& settings, SettingKind kind, const std::string& source) {
   for (const auto& [name, j] : settings.items()) {
-    if (selects_parameters(name) != selecting) continue;
+    if (kind_of_setting(name) != kind) continue;
     const auto value = from_json(j);
     if (!value) return invalid_state(source);
     auto changed = with(document, name, *value);
@@ -132,13 +144,91 @@ Result<void> restore_automatic(Document& document, const json& state, const std:
   return {};
 }
 
-// In version 1 a scene without lights had a uniform environment, and no tone curve unless the state names one.
-void restore_version_1(Document& document) {
+// The defaults of scenes without lights in earlier versions. The environment was visible. In version 1 it was uniform,
+// and there was no tone curve unless the state names one.
+void restore_defaults(Document& document, int version) {
   if (!document.lit_by_default) return;
-  document.display = Display{};
+  const bool is_uniform = version == 1;
+  if (is_uniform) document.display = Display{};
   auto scene = std::make_shared<scene::Scene>(*document.scene);
-  scene->environment = make_environment(kUniform);
+  scene->environment = make_environment(is_uniform ? kUniform : builtin_environments().front());
   document.scene = std::move(scene);
+}
+
+Result<json> parsed(const std::string& text, const std::string& source) {
+  json state = json::parse(text, nullptr, false);
+  if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
+      !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
+    return invalid_state(source);
+  return state;
+}
+
+// States name the visibility of an environment only if it differs from that of the scene as it was opened.
+Result<Document> with_environment_of_state(const Document& document, const std::string& file) {
+  const bool visible = document.scene->environment.visible;
+  auto changed = with_environment(document, file);
+  return changed ? with(*changed, "environment.visible", Value(visible)) : changed;
+}
+
+// The document of the scene, the camera and the environment that a state names, with their own settings.
+Result<Document> opened_document(const json& state, const std::string& source) {
+  auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
+  if (!document) return document;
+  const int version =
+      state.contains("version") && state["version"].is_number_integer() ? state["version"].get<int>() : 1;
+  if (version < kVersion) restore_defaults(*document, version);
+  if (state.contains("environment") && state["environment"].is_string())
+    document = with_environment_of_state(*document, resolved(state["environment"].get<std::string>(), source));
+  return document;
+}
+
+// The members of a state on which `opened_document` depends.
+std::string scene_text_of(const json& state) {
+  json members = json::object();
+  for (const char* name : {"scene", "camera", "environment", "version"})
+    if (state.contains(name)) members[name] = state[name];
+  return members.dump();
+}
+
+// An opened document with the edits of a state.
+Result<Document> with_state(Document document, const json& state, const std::string& source) {
+  if (auto ok = restore_structure(document, state, source); !ok) return ok.error();
+  for (const SettingKind kind : {SettingKind::selection, SettingKind::value, SettingKind::spectrum}) {
+    auto changed = with_settings(std::move(document), state["settings"], kind, source);
+    if (!changed) return changed;
+    document = std::move(*changed);
+  }
+  if (auto ok = restore_automatic(document, state, source); !ok) return ok.error();
+  return document;
+}
+
+// The first setting in which a document differs from a state; empty if there is none.
+std::string different_setting(const Document& document, const json& state) {
+  const json settings = json::parse(state_json(document, 0))["settings"];
+  const json& expected = state["settings"];
+  for (const auto& [name, value] : expected.items())
+    if (!settings.contains(name) || settings[name] != value) return name;
+  for (const auto& [name, value] : settings.items())
+    if (!expected.contains(name)) return name;
+  return "";
+}
+
+// The settings in which two states differ, if the document of `to` is that of `from` with these settings. Null
+// otherwise: other members differ, a setting has its original value again, or one differs that affects others.
+json changed_settings(const json& from, const json& to) {
+  if (!from.is_object() || from.size() != to.size()) return {};
+  for (const auto& [name, value] : from.items())
+    if (name != "settings" && (!to.contains(name) || to[name] != value)) return {};
+  const json &before = from["settings"], &after = to["settings"];
+  for (const auto& [name, value] : before.items())
+    if (!after.contains(name)) return {};
+  json changes = json::object();
+  for (const auto& [name, value] : after.items()) {
+    if (before.contains(name) && before[name] == value) continue;
+    if (kind_of_setting(name) != SettingKind::value) return {};
+    changes[name] = value;
+  }
+  return changes;
 }
 
 }  // namespace
@@ -148,11 +238,18 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   const auto origin = origin_with_structure(document);
   for (const auto& section : sections(document)) {
     const auto original = origin ? values_of(*origin, section) : std::map<std::string, Value>();
-    for (const auto& [name, value] : values_of(document, section)) {
-      const auto found = original.find(name);
-      const bool is_changed = found == original.end() || found->second != value;
-      if (is_changed || section == kDisplaySection) settings[name] = to_json_value<json>(value);
-    }
+    const auto values = values_of(document, section);
+    const auto is_changed = [&](const auto& setting) {
+      const auto found = original.find(setting.first);
+      return found == original.end() || found->second != setting.second;
+    };
+    // Selecting an environment changes its other parameters, so all of them are recorded then.
+    const bool is_complete = section == kDisplaySection ||
+                             (section == kEnvironmentSection && std::ranges::any_of(values, [&](const auto& setting) {
+                                return selects_parameters(setting.first) && is_changed(setting);
+                              }));
+    for (const auto& setting : values)
+      if (is_complete || is_changed(setting)) settings[setting.first] = to_json_value<json>(setting.second);
   }
   json state{{"program", "etendue"},
              {"version", kVersion},
@@ -171,27 +268,52 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
 }
 
 Result<Document> document_from_state(const std::string& text, const std::string& source, uint32_t* samples) {
-  const json state = json::parse(text, nullptr, false);
-  if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
-      !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
-    return invalid_state(source);
-  auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
+  const auto state = parsed(text, source);
+  if (!state) return state.error();
+  const auto opened = opened_document(*state, source);
+  if (!opened) return opened;
+  auto document = with_state(*opened, *state, source);
   if (!document) return document;
-  if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
-  if (state.contains("environment") && state["environment"].is_string()) {
-    document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
-    if (!document) return document;
-  }
-  if (auto ok = restore_structure(*document, state, source); !ok) return ok.error();
-  for (const bool selecting : {true, false}) {
-    document = with_settings(std::move(*document), state["settings"], selecting, source);
-    if (!document) return document;
-  }
-  if (auto ok = restore_automatic(*document, state, source); !ok) return ok.error();
-  if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
-    *samples = state["samples"].get<uint32_t>();
+  if (samples && state->contains("samples") && (*state)["samples"].is_number_unsigned())
+    *samples = (*state)["samples"].get<uint32_t>();
   return document;
 }
+
+struct StateOpener::Opened {
+  std::string name;   // of the scene, the camera and the environment
+  Document document;  // without edits
+  json state;         // the state that was opened last, and its document
+  Document latest;
+};
+
+StateOpener::StateOpener() = default;
+StateOpener::~StateOpener() = default;
+
+Result<Document> StateOpener::open(const std::string& text, const std::string& source) {
+  auto state = parsed(text, source);
+  if (!state) return state.error();
+  const std::string name = scene_text_of(*state);
+  is_reopened_ = !opened_ || opened_->name != name;
+  if (is_reopened_) {
+    opened_.reset();  // frees the memory of the old scene first
+    auto document = opened_document(*state, source);
+    if (!document) return document;
+    opened_ = std::make_unique<Opened>(name, std::move(*document), json(), Document());
+  }
+  Result<Document> document = Document();
+  const json changes = changed_settings(opened_->state, *state);
+  if (!changes.is_null()) document = with_settings(opened_->latest, changes, SettingKind::value, source);
+  if (changes.is_null() || !document || !different_setting(*document, *state).empty())
+    document = with_state(opened_->document, *state, source);
+  if (!document) return document;
+  if (const std::string setting = different_setting(*document, *state); !setting.empty())
+    return input_error(source + ": the setting " + setting + " cannot be applied to " + opened_->document.scene_name);
+  opened_->state = std::move(*state);
+  opened_->latest = *document;
+  return document;
+}
+
+const Document& StateOpener::opened() const { return opened_->document; }
 
 RenderPart part_from_state(const std::string& text) {
   RenderPart part;

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "light/placed_light.h"
+#include "render/incompatibility.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_kinds.h"
 
 namespace etendue::render {
 namespace {
@@ -87,11 +89,23 @@ class Meter {
   Meter(Document document, float factor, std::shared_ptr<const scene::CompiledScene> scene, int threads)
       : document_(std::move(document)), factor_(factor), session_({.threads = threads, .scene = std::move(scene)}) {}
 
-  MeterReading read(uint32_t samples) {
+  film::Film render(uint32_t samples) {
     document_.limits.samples = samples;
     session_.submit(document_);
     session_.finish();
-    return reading_of(session_.film_copy(), factor_);
+    return session_.film_copy();
+  }
+  MeterReading read(uint32_t samples) { return reading_of(render(samples), factor_); }
+  // For an image whose pixels all depend on the same photons: their errors do not average out.
+  MeterReading read_photons(uint32_t samples) {
+    const film::Film film = render(samples);
+    MeterReading reading = reading_of(film, factor_);
+    double sum = 0;
+    for (int y = 0; y < kPixels; ++y)
+      for (int x = 0; x < kPixels; ++x)
+        sum += std::sqrt(static_cast<double>(max_component(film.variance_of_mean(x, y))));
+    reading.standard_error = static_cast<double>(factor_) * sum / (kPixels * kPixels);
+    return reading;
   }
 
  private:
@@ -99,6 +113,46 @@ class Meter {
   float factor_;
   Session session_;
 };
+
+// A measurement with what path tracing does not find: caustics of lights without extent. These are estimated from
+// photons within a part of the scene's radius, so they are averaged over such a disk.
+class MeterWithCaustics {
+ public:
+  // `pixel` is the width of a pixel of the measurement at the surface, m.
+  MeterWithCaustics(const Document& document, float factor, const std::shared_ptr<const scene::CompiledScene>& scene,
+                    float pixel, int threads)
+      : light_(document, factor, scene, threads) {
+    if (!has_point_lights(*document.scene) || !has_specular_surfaces(*scene)) return;
+    Document caustics = document;
+    caustics.scene = std::make_shared<const scene::Scene>(with_point_lights_only(*document.scene));
+    caustics.method.integrator = "sppm";
+    caustics.method.color = transport::ColorMode::rgb;
+    caustics.method.paths = kPointCaustics;
+    const double radius = std::clamp<double>(kCausticRadius * scene->bounds().radius() / pixel, 0.1, 1000);
+    for (const auto& [name, value] :
+         {std::pair<const char*, Value>{"sppm.radius", radius}, {"sppm.photons", int64_t{kPhotons}}})
+      caustics = *with(caustics, name, value);
+    if (incompatibility(caustics, *scene).empty()) caustics_.emplace(std::move(caustics), factor, scene, threads);
+  }
+
+  MeterReading read(uint32_t samples) {
+    MeterReading sum = light_.read(samples);
+    if (!caustics_) return sum;
+    const MeterReading caustics = caustics_->read_photons(samples);
+    return {sum.value + caustics.value, std::hypot(sum.standard_error, caustics.standard_error)};
+  }
+
+ private:
+  static constexpr const char* kPointCaustics = "E.*SL";
+  static constexpr float kCausticRadius = 0.005f;  // as a fraction of the scene's radius
+  static constexpr int kPhotons = 4096;            // per sample
+
+  Meter light_;
+  std::optional<Meter> caustics_;
+};
+
+// The width of a pixel at a distance from a camera with this field of view, m.
+float pixel_width(float distance, float view) { return 2 * distance * std::tan(0.5f * view) / kPixels; }
 
 // The flux that an instance emits, in lm, and the area of its emitting sides.
 struct EmittedFlux {
@@ -211,8 +265,10 @@ void measure_light(const Document& document, std::shared_ptr<const scene::Compil
   readings.emitted_flux = emitted.flux;
   if (emitted.area > 0) readings.emitted_exitance = emitted.flux / emitted.area;
   readings.lights = intensities_towards(*scene, point.position);
-  Meter radiance(radiance_measurement(document, point), 1, scene, threads);
-  Meter irradiance(irradiance_measurement(document, point, radius), kPi, scene, threads);
+  const float distance = glm::distance(point.position, point.eye);
+  MeterWithCaustics radiance(radiance_measurement(document, point), 1, scene, pixel_width(distance, kRayView), threads);
+  MeterWithCaustics irradiance(irradiance_measurement(document, point, radius), kPi, scene,
+                               pixel_width(2 * radius, kCardView), threads);
   std::optional<Meter> received;
   if (sensor_size > 0)
     received.emplace(flux_measurement(document, point, sensor_size, radius, kSensorAlbedo),

@@ -3,7 +3,9 @@
 //
 // Irradiance is measured as a photographer does, with a white card: a disk of albedo one, with a radius of about 1e-4
 // of the scene's, lies on the surface, and a camera views it from close by. All quantities are measured by path
-// tracing, independently of the integrator of the document.
+// tracing, independently of the integrator of the document. Path tracing does not find caustics of point, spot and
+// directional lights. Radiance and irradiance contain them as estimates from photons (progressive photon mapping), averaged
+// over a disk of 0.5 % of the scene's radius; the flux of a sensor and spectra do not.
 #pragma once
 #include <array>
 #include <functional>

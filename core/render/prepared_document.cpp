@@ -73,6 +73,14 @@ std::string refusal_of(const std::string& integrator, const transport::Model& mo
   return {};
 }
 
+std::unique_ptr<integrator::Integrator> make_integrator_of(const Document& document,
+                                                           integrator::PathLayerRecording* layers) {
+  const std::string& name = document.method.integrator;
+  const auto settings = document.method.settings_of(name);
+  return layers ? integrator::make_layered_integrator(name, settings, *layers)
+                : integrator::make_integrator(name, settings);
+}
+
 }  // namespace
 
 std::unique_ptr<Sampler> sampler_of(const Document& document) {
@@ -84,12 +92,13 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
     : PreparedDocument(document, std::move(scene), document.width, document.height) {}
 
 PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene,
-                                   int width, int height)
+                                   int width, int height, integrator::PathLayerRecording* layers)
     : scene_(std::move(scene)),
       model_(transport::model_for(*scene_, document.forced_flags, document.method.paths, document.method.color)),
+      sampler_name_(document.method.sampler),
+      sampler_settings_(document.method.settings_of(sampler_name_)),
       sampler_(sampler_of(document)),
-      integrator_(integrator::make_integrator(document.method.integrator,
-                                              document.method.settings_of(document.method.integrator))),
+      integrator_(make_integrator_of(document, layers)),
       refusal_(refusal_of(document.method.integrator, model_, *scene_)),
       accumulation_(integrator::find_integrator(document.method.integrator)->accumulation),
       camera_(document.camera, width, height, scene_->camera_motion()),
@@ -112,7 +121,9 @@ integrator::RenderContext PreparedDocument::context(uint64_t seed) const {
           .filter = &filter_,
           .seed = seed,
           .width = width_,
-          .height = height_};
+          .height = height_,
+          .sampler_name = sampler_name_,
+          .sampler_settings = sampler_settings_};
 }
 
 void PreparedDocument::prepare_sampler(uint32_t sample_of_half) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "integrator/integrator.h"
+#include "integrator/path/path_layers.h"
 #include "render/document.h"
 
 namespace etendue::render {
@@ -20,8 +21,10 @@ std::unique_ptr<Sampler> sampler_of(const Document& document);
 class PreparedDocument {
  public:
   PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene);
-  // At another resolution than the document's, for previews.
-  PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height);
+  // At another resolution than the document's, for previews. `layers` receives layers of the paths (path_layers.h); it
+  // must outlive the object, and its integrator must be able to record them. Null: none.
+  PreparedDocument(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
+                   integrator::PathLayerRecording* layers = nullptr);
   // Contexts point into the object, so it stays where it is.
   PreparedDocument(const PreparedDocument&) = delete;
   PreparedDocument& operator=(const PreparedDocument&) = delete;
@@ -50,6 +53,8 @@ class PreparedDocument {
  private:
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;
+  std::string sampler_name_;
+  std::vector<Setting> sampler_settings_;
   std::unique_ptr<Sampler> sampler_;
   std::unique_ptr<integrator::Integrator> integrator_;
   std::string refusal_;

@@ -1,6 +1,8 @@
 #include "render/progressive_render.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "geometry/accel.h"
@@ -17,6 +19,8 @@ constexpr double kStatusInterval = 0.1;
 constexpr double kSliceWithoutFrames = 0.25;
 // A phase of the integrator is reported once it has lasted this long, in seconds.
 constexpr double kShortestReportedPhase = 0.3;
+// The time between two looks for samples of other processes while there is nothing else to do.
+constexpr auto kSharedSamplesInterval = std::chrono::milliseconds(1);
 
 // Factor on the time between frames. Consecutive frames differ less as samples accumulate.
 double frame_interval_factor(uint32_t samples) { return samples < 32 ? 1 : samples < 256 ? 2.5 : 5; }
@@ -26,6 +30,7 @@ double frame_interval_factor(uint32_t samples) { return samples < 32 ? 1 : sampl
 ProgressiveRender::ProgressiveRender(ThreadPool& workers, const SessionOptions& options,
                                      std::function<bool()> keep_going)
     : workers_(workers),
+      sharing_(options.sharing),
       interactive_(options.interactive),
       publish_interval_(options.publish_interval),
       keep_going_(std::move(keep_going)),
@@ -34,18 +39,25 @@ ProgressiveRender::ProgressiveRender(ThreadPool& workers, const SessionOptions& 
       error_monitor_(workers) {}
 
 void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::CompiledScene> scene,
-                              std::optional<ResumePoint> start, double preview_seconds) {
+                              std::optional<ResumePoint> start, double preview_seconds, bool shares) {
   document_ = std::move(document);
   scene_ = std::move(scene);
   film_is_stale_ = !start;
   if (start) film_.resume(document_, std::move(start->film), start->tails);
   // The new renderer may reuse data of the old one, which is destroyed afterwards.
-  renderer_ = std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get());
+  const auto layers = start ? start->layers : nullptr;
+  if (layers) layers->clear(document_.width, document_.height);
+  renderer_ =
+      std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get(), layers.get());
+  layers_ = layers;
   counters_.rays = 0;
   counters_.paths = 0;
   seconds_ = 0;
   if (start) renderer_->begin(film_.film(), start->integrator_state);
   samples_ = renderer_->samples();
+  shares_ = shares;
+  received_.reset();
+  shared_samples_ = 0;
   error_monitor_.reset(find_sampler(document_.method.sampler)->independent);
   error_monitor_.set_measure(document_.limits.measure, document_.display.transform());
 
@@ -63,6 +75,12 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
 void ProgressiveRender::set_document(const Document& document) {
   document_ = document;
   error_monitor_.set_measure(document_.limits.measure, document_.display.transform());
+}
+
+// Samples of other processes replace further previews.
+bool ProgressiveRender::needs_preview() {
+  if (shares_ && !awaits_first_frame_ && sharing_->has_samples()) preview_resolution_.begin_at_full_resolution();
+  return preview_resolution_.scale() > 1;
 }
 
 std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<void(const Renderer&)>& on_progress) {
@@ -113,13 +131,48 @@ bool ProgressiveRender::render_slice() {
   const bool first = is_first_slice();
   const double allowed = slice_seconds();
   const auto keep_sampling = [&] { return keep_going_() && seconds_since(start) < allowed; };
+  if (!add_shared_samples()) return true;
   while (!limit_reached(seconds_ + seconds_since(start))) {
-    if (renderer_->advance(workers_, film_.targets(), keep_sampling, counters_, keep_going_))
-      samples_ = renderer_->samples();
+    if (!begin_step()) {
+      std::this_thread::sleep_for(kSharedSamplesInterval);
+      if (!add_shared_samples()) break;
+    } else if (renderer_->advance(workers_, film_.targets(), keep_sampling, counters_, keep_going_)) {
+      finish_step();
+    }
     if (first || !keep_sampling()) break;
   }
   seconds_ += seconds_since(start);
-  if (first && samples_ > 0) preview_resolution_.add_measurement(counters_.paths, seconds_);
+  if (first && samples_ > 0 && shared_samples_ == 0) preview_resolution_.add_measurement(counters_.paths, seconds_);
+  return true;
+}
+
+// Selects the next sample, unless a step is in progress. False if other processes are rendering the last samples.
+bool ProgressiveRender::begin_step() {
+  if (!shares_ || renderer_->is_in_step()) return true;
+  const auto sample = sharing_->next_sample();
+  if (!sample) return false;
+  renderer_->continue_at(*sample);
+  film_.begin_sample(*sample);
+  return true;
+}
+
+void ProgressiveRender::finish_step() {
+  samples_ = renderer_->samples() + shared_samples_;
+  if (shares_) film_.finish_sample();
+}
+
+// Adds what other processes have rendered. False if it was interrupted; no sample may be taken until it is complete.
+bool ProgressiveRender::add_shared_samples() {
+  if (!shares_) return true;
+  if (!received_) received_ = sharing_->take();
+  if (!received_) return true;
+  if (!film_.add(received_->samples, keep_going_)) return false;
+  renderer_->film_has_received(received_->count);
+  shared_samples_ += received_->count;
+  samples_ += received_->count;
+  counters_.rays += received_->rays;
+  counters_.paths += received_->paths;
+  received_.reset();
   return true;
 }
 
@@ -166,6 +219,7 @@ void ProgressiveRender::write_initial_status(Status& status) const {
   status.build = scene_->report();
   status.phase = "rendering";
   status.incompatibility = incompatibility(document_, *scene_);
+  status.notes = renderer_->notes();
   status.samples = samples_;
   status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_);
 }
@@ -187,6 +241,7 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.measured_error = error_monitor_.measured();
   status.rejected = film_.film().invalid_samples();
   status.statistics = renderer_->statistics();
+  status.notes = renderer_->notes();
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   status.progress = progress_to_limit(document_.limits, state);
   status.time_left = time_to_limit(document_.limits, state);
@@ -218,11 +273,11 @@ film::Film ProgressiveRender::film_copy() const {
 
 ResumePoint ProgressiveRender::resume_point() const {
   if (film_is_stale_ || !renderer_) return film_copy();
-  return {film_.film(), renderer_->integrator_state()};
+  return {film_.film(), renderer_->integrator_state(), tail_states()};
 }
 
 std::vector<film::TailState> ProgressiveRender::tail_states() const {
-  return film_is_stale_ ? std::vector<film::TailState>() : film_.tails().states();
+  return film_is_stale_ ? std::vector<film::TailState>() : film_.tail_states();
 }
 
 std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {
@@ -231,6 +286,10 @@ std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {
 
 std::shared_ptr<const std::vector<integrator::StoredPoint>> ProgressiveRender::stored_points() const {
   return renderer_ ? renderer_->stored_points() : nullptr;
+}
+
+std::shared_ptr<const integrator::SolutionView> ProgressiveRender::solution_view() const {
+  return renderer_ ? renderer_->solution_view() : nullptr;
 }
 
 }  // namespace etendue::render

@@ -13,6 +13,7 @@
 #include "render/renderer.h"
 #include "render/session.h"
 #include "render/session_film.h"
+#include "render/shared_sampling.h"
 
 namespace etendue::render {
 
@@ -22,9 +23,9 @@ class ProgressiveRender {
   ProgressiveRender(ThreadPool& workers, const SessionOptions& options, std::function<bool()> keep_going);
 
   // Begins the image of a document, with the samples of `start` if there are any. The first preview is planned to take
-  // at most this many seconds.
+  // at most this many seconds. `shares`: other processes render samples as well, and have begun the same document.
   void begin(Document document, std::shared_ptr<const scene::CompiledScene> scene, std::optional<ResumePoint> start,
-             double preview_seconds);
+             double preview_seconds, bool shares);
   bool has_begun() const { return renderer_ != nullptr; }
   const transport::Model& model() const { return renderer_->model(); }
   // Replaces the document by one whose samples are the same.
@@ -35,7 +36,7 @@ class ProgressiveRender {
   void first_frame_shown() { awaits_first_frame_ = false; }
 
   // True while previews are to be rendered instead of slices.
-  bool needs_preview() const { return preview_resolution_.scale() > 1; }
+  bool needs_preview();
   // Renders a preview; null if it was cancelled. `on_progress` is called now and then and may call `write_phase`.
   std::shared_ptr<Frame> render_preview(const std::function<void(const Renderer&)>& on_progress);
 
@@ -58,15 +59,20 @@ class ProgressiveRender {
   std::vector<film::TailState> tail_states() const;
   std::optional<std::vector<float>> reweighted_copy() const;
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const;
+  std::shared_ptr<const integrator::SolutionView> solution_view() const;
 
  private:
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
   bool is_first_slice() const { return awaits_first_frame_ && samples_ == 0; }
   double slice_seconds() const;
   bool clear_film();
+  bool begin_step();
+  void finish_step();
+  bool add_shared_samples();
   bool limit_reached(double seconds);
 
   ThreadPool& workers_;
+  SharedSampling* sharing_;  // null: none
   bool interactive_;
   double publish_interval_;
   std::function<bool()> keep_going_;
@@ -74,13 +80,17 @@ class ProgressiveRender {
 
   Document document_;
   std::shared_ptr<const scene::CompiledScene> scene_;
+  std::shared_ptr<integrator::PathLayerRecording> layers_;  // null: no layers of the paths; outlives the renderer
   std::unique_ptr<Renderer> renderer_;
   SessionFilm film_;
   bool film_is_stale_ = false;  // the film still holds samples of an earlier document
   ErrorMonitor error_monitor_;
   Renderer::Counters counters_;
   uint32_t samples_ = 0;
-  double seconds_ = 0;  // of rendering
+  bool shares_ = false;                    // other processes render samples of this document
+  std::optional<SharedSamples> received_;  // samples of other processes that are being added to the film
+  uint32_t shared_samples_ = 0;            // of other processes, per pixel; part of `samples_`
+  double seconds_ = 0;                     // of rendering
 
   PreviewResolution preview_resolution_;
   bool awaits_first_frame_ = false;

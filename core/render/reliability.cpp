@@ -114,8 +114,10 @@ std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, c
   film::TailAccumulator all;
   DeviationHistogram histogram;
   int heavy_pixels = 0, tile = 0;
-  for (const auto& tail : tails.tails()) {
+  for (const auto& collected : tails.tails()) {
     if (!keep_going()) return nullptr;
+    // The state does not depend on interruptions of the rendering.
+    const film::TailAccumulator tail(collected.capacity(), collected.state());
     all.merge(tail);
     histogram.add(tail.largest());
     const film::Tail& report = reports[static_cast<size_t>(tile)];

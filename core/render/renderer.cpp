@@ -32,8 +32,8 @@ void copy_pixels(const integrator::PixelBlock& block, std::span<const Rgb> radia
 }  // namespace
 
 Renderer::Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
-                   const Renderer* previous)
-    : prepared_(document, std::move(scene), width, height),
+                   const Renderer* previous, integrator::PathLayerRecording* layers)
+    : prepared_(document, std::move(scene), width, height, layers),
       width_(width),
       height_(height),
       first_sample_(document.part.first_sample),
@@ -196,7 +196,7 @@ bool Renderer::sample_tile(const StepContext& step, size_t tile) {
     block.sample = sample();
     const PixelBlock shown = visible(block);
     // A resumed film may hold this sample already. Splats of the sample still concern all pixels.
-    return (!splats() && film.samples(shown.x, shown.y) > samples_) || sample_block(step, tile, block);
+    return (!splats() && film.samples(shown.x, shown.y) > samples_ + received_) || sample_block(step, tile, block);
   }
   for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
     const uint32_t end = std::min(range().end, allocation_->target(tile, half));
@@ -226,7 +226,7 @@ bool Renderer::sample_block(const StepContext& step, size_t tile, const PixelBlo
 bool Renderer::deposit_tile(const StepContext& step, size_t tile) {
   PixelBlock block = block_at(tile);
   block.sample = sample();
-  if (step.targets.film.samples(block.x, block.y) > samples_) return true;
+  if (step.targets.film.samples(block.x, block.y) > samples_ + received_) return true;
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   splat_image_.read(block, radiance);
   record(step, tile, block, radiance);

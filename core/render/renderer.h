@@ -20,9 +20,9 @@ namespace etendue::render {
 class Renderer {
  public:
   // `previous` is the renderer of the previous image, or null. The integrator may reuse what that one computed for the
-  // same scene.
+  // same scene. `layers` receives layers of the paths, or is null; it must outlive the renderer.
   Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
-           const Renderer* previous = nullptr);
+           const Renderer* previous = nullptr, integrator::PathLayerRecording* layers = nullptr);
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
@@ -42,6 +42,13 @@ class Renderer {
       ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& still_needed = [] { return true; });
 
+  // Whether a step has been begun and is not complete.
+  bool is_in_step() const { return !stages_.empty(); }
+  // The next step takes the sample of this number. Between steps only, and not with adaptive sampling.
+  void continue_at(uint32_t sample) { first_sample_ = sample - samples_; }
+  // Samples of others have been added to each pixel of the film.
+  void film_has_received(uint32_t samples) { received_ += samples; }
+
   // Samples per pixel of the document's part after the last complete step; with adaptive sampling the average over the
   // pixels.
   uint32_t samples() const { return samples_; }
@@ -51,6 +58,9 @@ class Renderer {
   // Photons or virtual lights that the integrator stores; null if none. Not while tasks run.
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const { return state_->points(); }
   std::vector<integrator::Statistic> statistics() const { return state_->statistics(); }
+  std::vector<std::string> notes() const { return state_->notes(); }
+  // As far as it is known; null if the integrator has none. Not while tasks run.
+  std::shared_ptr<const integrator::SolutionView> solution_view() const { return state_->solution_view(); }
   // The state of the integrator after the last complete step, for `begin`.
   std::vector<std::byte> integrator_state() const { return state_->state(sample()); }
 
@@ -113,6 +123,7 @@ class Renderer {
   size_t tiles_ = 0;                            // in the region
   std::optional<SampleAllocation> allocation_;  // with adaptive sampling
   uint32_t samples_ = 0;
+  uint32_t received_ = 0;  // samples per pixel in the film that others have taken
 
   // The current step; no stages between steps.
   std::vector<Stage> stages_;

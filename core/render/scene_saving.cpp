@@ -1,17 +1,12 @@
 #include "render/scene_saving.h"
 
-#include "light/environments/builtin_environment.h"
+#include "render/default_light.h"
 #include "scene/pose.h"
 
 namespace etendue::render {
 namespace {
 
 constexpr const char* kViewName = "view";
-
-// Whether it is the environment that new_document adds to unlit scenes.
-bool is_default(const Environment& environment) {
-  return environment == make_environment(builtin_environments().front());
-}
 
 // The node of the camera "view" of an earlier save, or a new one before all other roots.
 scene::Node& view_node(scene::Scene& scene) {
@@ -38,7 +33,7 @@ void replace_camera(scene::Scene& scene, const scene::Node& node, const Camera& 
 
 scene::Scene scene_to_save(const Document& document) {
   scene::Scene scene = scene::without_removed(*document.scene, document.structure);
-  if (document.lit_by_default && is_default(scene.environment)) scene.environment = Environment{};
+  if (document.lit_by_default && scene.environment == default_environment()) scene.environment = Environment{};
   const int node = scene::node_of_camera(scene, document.camera);
   if (node >= 0) {
     replace_camera(scene, scene.nodes[static_cast<size_t>(node)], document.camera);

@@ -17,6 +17,7 @@
 
 #include "film/film.h"
 #include "integrator/integrator_info.h"
+#include "integrator/solution_view.h"
 #include "render/display_frame.h"
 #include "render/document.h"
 #include "render/reliability.h"
@@ -27,6 +28,8 @@
 #include "transport/model.h"
 
 namespace etendue::render {
+
+class SharedSampling;
 
 struct Status {
   uint64_t version = 0;  // of the document that is being rendered
@@ -40,7 +43,8 @@ struct Status {
   film::InvalidSamples rejected;
   std::shared_ptr<const Reliability> reliability;  // of the error, at its last measurement; null before the first
   std::vector<integrator::Statistic> statistics;   // reported by the integrator
-  size_t memory = 0;  // bytes of scene arrays, Embree, the film with its statistics, and the integrator
+  std::vector<std::string> notes;  // approximations and failures of the integrator that affect the image, as sentences
+  size_t memory = 0;               // bytes of scene arrays, Embree, the film with its statistics, and the integrator
   scene::BuildReport build;
   // "compiling", "rendering", "paused", "done", or the phase of the integrator ("tracing photons") if it takes long.
   std::string phase;
@@ -58,6 +62,7 @@ struct SessionOptions {
   // The compiled scene of another session, or null. Parts that the first document shares with it are not compiled
   // again.
   std::shared_ptr<const scene::CompiledScene> scene = nullptr;
+  SharedSampling* sharing = nullptr;  // other processes that render samples as well (shared_sampling.h); null: none
 };
 
 class Session {
@@ -102,6 +107,8 @@ class Session {
   std::optional<std::vector<float>> reweighted_copy();
   // Photons or virtual lights that the integrator stores; null if none.
   std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points();
+  // The solution of the radiosity equation as far as it is known; null if the integrator has none.
+  std::shared_ptr<const integrator::SolutionView> solution_view();
 
  private:
   class Impl;

@@ -1,9 +1,16 @@
 #include "render/session_film.h"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
+
+#include "film/film_sum.h"
 
 namespace etendue::render {
 namespace {
+
+// Rows of shared samples that are added between two looks for edits.
+constexpr int kRowsOfStep = 32;
 
 bool reweights_fireflies(const Document& document) { return document.fireflies == film::Fireflies::reweight; }
 
@@ -19,6 +26,7 @@ bool has_size_of(const Pixels& pixels, const Document& document) {
 }  // namespace
 
 bool SessionFilm::clear(const Document& document, const std::function<bool()>& keep_going) {
+  added_rows_ = 0;
   if (!has_size_of(film_, document)) {
     film_ = film::Film();  // frees the memory of the old film first
     film_ = film::Film(document.width, document.height);
@@ -43,7 +51,56 @@ void SessionFilm::resume(const Document& document, film::Film&& film, std::span<
     for (int x = 0; x < film_.width(); ++x) reweighting_->add(x, y, film_.mean(x, y), film_.samples(x, y));
 }
 
+bool SessionFilm::add(const PartialSamples& samples, const std::function<bool()>& keep_going) {
+  while (added_rows_ < film_.height()) {
+    if (!keep_going()) return false;
+    const int first = added_rows_, end = std::min(film_.height(), first + kRowsOfStep);
+    const auto add_rows = [&](int a, int b) { film::add_rows(film_, samples.film, first + a, first + b); };
+    workers_.run_ranges(end - first, add_rows);
+    added_rows_ = end;
+  }
+  added_rows_ = 0;
+  film::add_invalid_samples(film_, samples.film);
+  film::merge(invalid_before_, samples.film.invalid_samples());
+  if (shared_tails_.empty()) {
+    shared_tails_ = samples.tails;
+    return true;
+  }
+  const size_t capacity = TailStatistics::capacity(film_.width(), film_.height());
+  for (size_t i = 0; i < shared_tails_.size(); ++i) film::merge(shared_tails_[i], samples.tails[i], capacity);
+  return true;
+}
+
+std::vector<film::TailState> SessionFilm::tail_states() const {
+  auto states = tails_.states();
+  const size_t capacity = TailStatistics::capacity(film_.width(), film_.height());
+  for (size_t i = 0; i < shared_tails_.size(); ++i) film::merge(states[i], shared_tails_[i], capacity);
+  return states;
+}
+
+const TailStatistics& SessionFilm::tails() {
+  if (shared_tails_.empty()) return tails_;
+  all_tails_ = TailStatistics(film_.width(), film_.height());
+  all_tails_.restore(tail_states());
+  return all_tails_;
+}
+
+void SessionFilm::begin_sample(uint32_t number) {
+  sample_ = number;
+  invalid_before_ = film_.invalid_samples();
+}
+
+void SessionFilm::finish_sample() {
+  film::InvalidSamples invalid = film_.invalid_samples();
+  if (invalid.total() == invalid_before_.total()) return;
+  for (film::InvalidSample& sample : invalid.first)
+    if (std::ranges::find(invalid_before_.first, sample) == invalid_before_.first.end()) sample.sample = sample_;
+  std::ranges::sort(invalid.first, {}, [](const film::InvalidSample& s) { return std::tuple(s.sample, s.y, s.x); });
+  film_.set_invalid_samples(invalid);
+}
+
 void SessionFilm::clear_tails(const Document& document) {
+  shared_tails_.clear();
   if (has_size_of(tails_, document))
     tails_.clear();
   else

@@ -9,6 +9,7 @@
 
 #include "render/edit_queue.h"
 #include "render/progressive_render.h"
+#include "render/shared_sampling.h"
 
 namespace etendue::render {
 namespace {
@@ -25,6 +26,7 @@ class Session::Impl {
  public:
   explicit Impl(const SessionOptions& options)
       : workers_(options.threads),
+        sharing_(options.sharing),
         compiled_scene_(options.scene),
         render_(workers_, options, [this] { return !is_interrupted(); }),
         thread_([this] { run(); }) {}
@@ -43,6 +45,7 @@ class Session::Impl {
     const std::lock_guard lock(mutex_);
     const uint64_t version = edits_.submit(document, std::move(start));
     stopped_ = false;
+    update_sharing();
     interrupt();
     return version;
   }
@@ -55,6 +58,7 @@ class Session::Impl {
   void pause(bool paused) {
     const std::lock_guard lock(mutex_);
     paused_ = paused;
+    update_sharing();
     changed_.notify_all();
   }
 
@@ -110,6 +114,7 @@ class Session::Impl {
   void stop() {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
+    update_sharing();
     interrupt();
     idle_.notify_all();
   }
@@ -132,6 +137,11 @@ class Session::Impl {
   void interrupt() {
     interrupt_ = true;
     changed_.notify_all();
+  }
+
+  // Other processes render while the session does. Under mutex_.
+  void update_sharing() {
+    if (sharing_) sharing_->hold(paused_ || stopped_ || status_.finished);
   }
 
   // The session's thread: takes up edits, renders slices, publishes frames.
@@ -176,10 +186,11 @@ class Session::Impl {
     }
     const bool protects_first_frame = render_.awaits_first_frame();
     submitted_ = edit.submitted;
+    const bool shares = begin_sharing(edit);
     const auto compiled =
         scene::compile(edit.document.scene, edit.document.camera, compiled_scene_, edit.document.height);
     render_.begin(std::move(edit.document), compiled, std::move(edit.start),
-                  protects_first_frame ? kProtectedPreviewSeconds : kPreviewSeconds);
+                  protects_first_frame ? kProtectedPreviewSeconds : kPreviewSeconds, shares);
     protected_until_ = protects_first_frame ? Clock::now() + duration_of(kProtectedSeconds) : Clock::time_point();
     const std::lock_guard lock(mutex_);
     compiled_scene_ = compiled;
@@ -187,6 +198,15 @@ class Session::Impl {
     status_ = Status{};
     status_.version = edit.version;
     render_.write_initial_status(status_);
+    update_sharing();
+  }
+
+  // Before the scene is compiled, so that other processes stop rendering the previous document at once.
+  bool begin_sharing(const Edit& edit) {
+    if (!sharing_) return false;
+    if (!edit.start) return sharing_->begin(edit.document);
+    sharing_->end();
+    return false;
   }
 
   // Takes up an edit that leaves the samples valid: the image continues under the new version.
@@ -195,6 +215,8 @@ class Session::Impl {
     render_.set_document(edit.document);
     status_.version = edit.version;
     status_.finished = false;
+    if (sharing_) sharing_->set_limit(edit.document.limits.samples);
+    update_sharing();
     if (!frame_ || render_.awaits_first_frame()) return;
     auto frame = std::make_shared<Frame>(*frame_);
     frame->version = edit.version;
@@ -214,6 +236,7 @@ class Session::Impl {
     {
       const std::lock_guard lock(mutex_);
       render_.write_status(status_, finished);
+      update_sharing();
       if (finished) idle_.notify_all();
     }
     publish(render_.frame_after_slice(finished));
@@ -234,6 +257,7 @@ class Session::Impl {
   }
 
   ThreadPool workers_;
+  SharedSampling* const sharing_;  // null: none
 
   // Shared with callers, under mutex_.
   mutable std::mutex mutex_;
@@ -290,6 +314,9 @@ std::optional<std::vector<float>> Session::reweighted_copy() {
 }
 std::shared_ptr<const std::vector<integrator::StoredPoint>> Session::stored_points() {
   return impl_->between_slices([](const ProgressiveRender& render) { return render.stored_points(); });
+}
+std::shared_ptr<const integrator::SolutionView> Session::solution_view() {
+  return impl_->between_slices([](const ProgressiveRender& render) { return render.solution_view(); });
 }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {

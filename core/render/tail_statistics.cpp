@@ -9,9 +9,9 @@ namespace {
 
 constexpr uint32_t kFirstUsedSample = 2;
 
-// Number of deviations stored per tile: about 2 bytes per pixel, and half of that for images with so many tiles that it
-// would exceed 16 MiB.
-size_t tail_capacity(size_t tiles) { return tiles <= 16384 ? 256 : 128; }
+// Number of deviations stored per tile: about 4 bytes per pixel, and half of that for images with so many tiles that it
+// would exceed 32 MiB.
+size_t tail_capacity(size_t tiles) { return tiles <= 16384 ? 512 : 256; }
 
 // The sum of the luminances of all samples of a pixel.
 double luminance_of(const film::Film::Pixel& p) {

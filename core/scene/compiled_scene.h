@@ -192,7 +192,7 @@ class CompiledScene final : public OpacityTest {
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
   const EmissionSpectrum* spectrum_of_light(const LightSample& sample) const;
-  void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
+  void finish(const Hit& hit, SurfacePoint& point) const;
   // Sets TexturePoint::footprint.
   void set_footprints(const Hit& hit, SurfacePoint& point) const;
   // Sets the shading frame. `time` is null for shutter opening.

@@ -164,8 +164,11 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
     shape(facets, count);
     for (size_t i = 0; i < count; ++i) {
       facets.get(i, points[first + i]);
-      finish(wo[first + i], hits[first + i], points[first + i]);
+      finish(hits[first + i], points[first + i]);
     }
+    for (size_t i = 0; i < count; ++i)
+      if (SurfacePoint& point = points[first + i]; has_own_shading_frame(point))
+        bend(wo[first + i], hits[first + i], nullptr, point);
     // The loop above uses the normals at shutter opening; those of moving instances are computed again at their times.
     for (size_t i = 0; times && i < count; ++i)
       if (SurfacePoint& point = points[first + i]; point.instance->motion && has_own_shading_frame(point))
@@ -173,18 +176,18 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
   }
 }
 
-// The properties that depend on the instance: textures, interpolated normals, normal maps.
-void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+// The properties that depend on the instance, except for the shading frame.
+void CompiledScene::finish(const Hit& hit, SurfacePoint& point) const {
   const InstanceData& instance = (*instances_)[hit.instance];
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
   point.triangle = hit.triangle;
   if (instance.textured) {
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
+    if (point.material->has_textures) point.material->prefetch_texels(point.texture);
     if (point.material->has_tiled_textures) set_footprints(hit, point);
   } else
     point.texture.color = Vec4(1);
-  if (has_own_shading_frame(point)) bend(wo, hit, nullptr, point);
 }
 
 // The distance along the path back to the camera is at least the length of its last segment, and at least the straight

@@ -10,6 +10,7 @@
 #include "scene/pose.h"
 #include "scene/shutter.h"
 #include "scene/texture_point.h"
+#include "scene/unchanged_lights.h"
 
 namespace etendue::scene {
 namespace {
@@ -349,44 +350,61 @@ class Compiler {
 
   // The light table depends on the positions and emission of surfaces, the lights and the environment.
   bool same_lights() const {
-    if (!previous_ || result_->report_.top_level_built) return false;
+    if (!previous_) return false;
     const Scene& old = previous_->description();
     if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
     if (!(scene_->atmosphere == old.atmosphere)) return false;
     if (portals() != previous_->lights_->portals().all()) return false;
-    if (!result_->report_.materials_built) return true;
-    if (scene_->materials.size() != old.materials.size()) return false;
-    for (size_t i = 0; i < scene_->materials.size(); ++i) {
-      const Material &a = scene_->materials[i], &b = old.materials[i];
-      if (!(a.emission == b.emission) || !(a.emission_texture == b.emission_texture) ||
-          !(a.emission_spectrum == b.emission_spectrum) || a.unlit != b.unlit || a.double_sided != b.double_sided)
-        return false;
-    }
-    return true;
+    if (result_->report_.materials_built && !same_emission(*scene_, old)) return false;
+    if (!result_->report_.top_level_built) return true;
+    const Bounds &a = result_->bounds_, &b = previous_->bounds_;
+    return a.min == b.min && a.max == b.max && same_light_places(*scene_, old) &&
+           same_emitters(*result_->instances_, *previous_->instances_, *result_->materials_);
+  }
+
+  // Reuses the light table of the previous scene.
+  void keep_lights() {
+    result_->lights_ = previous_->lights_;
+    if (!result_->report_.top_level_built) return;
+    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    for (size_t i = 0; i < instances->size(); ++i)
+      (*instances)[i].first_light = (*previous_->instances_)[i].first_light;
+    result_->instances_ = std::move(instances);
+  }
+
+  // The number of triangles that emit.
+  size_t area_light_triangles() const {
+    size_t count = 0;
+    for (const InstanceData& instance : *result_->instances_)
+      if (is_area_light((*result_->materials_)[instance.material])) count += instance.mesh->triangles.size();
+    return count;
   }
 
   void lights() {
     result_->emission_spectra_ = !result_->emitter_with_spectrum().empty();
-    if (same_lights()) {
-      result_->lights_ = previous_->lights_;
-      return;
-    }
+    if (same_lights()) return keep_lights();
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
     std::vector<AreaLightTriangle> triangles;
+    triangles.reserve(area_light_triangles());
     std::vector<MovingEmitter> moving;
     std::vector<AnalyticAreaLight> round_lights;
     for (uint32_t i = 0; i < instances->size(); ++i) {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
       instance.first_light = InstanceData::kNotALight;
-      if (!material.description.is_emissive() || material.description.unlit) continue;
+      if (!is_area_light(material)) continue;
       instance.first_light = static_cast<uint32_t>(triangles.size());
       if (instance.round) {
         triangles.push_back(emissive_round(instance, material, i, round_lights));
         continue;
       }
       const AreaLightTriangle* known = previous_emission(instance, i);
-      for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
+      const size_t count = instance.mesh->triangles.size();
+      if (known && same_surface(instance, (*previous_->instances_)[i])) {
+        triangles.insert(triangles.end(), known, known + count);
+        continue;
+      }
+      for (uint32_t t = 0; t < count; ++t)
         triangles.push_back(emissive(instance, material, i, t, known ? &known[t].radiance : nullptr));
       if (!instance.motion) continue;
       moving.resize(instances->size());
@@ -417,8 +435,7 @@ class Compiler {
       return nullptr;
     const InstanceData& old = (*previous_->instances_)[i];
     if (old.first_light == InstanceData::kNotALight || old.round || old.material != instance.material) return nullptr;
-    const Mesh &a = *instance.mesh, &b = *old.mesh;
-    if (a.triangles != b.triangles || a.uvs != b.uvs || a.colors != b.colors) return nullptr;
+    if (!same_parametrization(*instance.mesh, *old.mesh)) return nullptr;
     return &previous_->lights_->triangles()[old.first_light];
   }
 

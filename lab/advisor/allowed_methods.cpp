@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "advisor/declared_paths.h"
-#include "advisor/light_kinds.h"
 #include "advisor/reference_integrator.h"
 #include "render/incompatibility.h"
+#include "scene/light_kinds.h"
 
 namespace etendue::advisor {
 namespace {

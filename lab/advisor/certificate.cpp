@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "render/thread_pool.h"
+
 namespace etendue::advisor {
 namespace {
 
@@ -75,6 +77,16 @@ Certificate certificate_of(const json& j) {
 }
 
 }  // namespace
+
+RenderStatistics statistics_of(const film::Film& film, const render::Status& status, const transport::Model& model,
+                               int threads) {
+  render::ThreadPool workers(threads);
+  const film::RangeRunner run = [&](int count, const std::function<void(int, int)>& task) {
+    return workers.run_ranges(count, task);
+  };
+  return {film.error(), film::relative_error(film, run), status.rejected, model,
+          status.reliability ? status.reliability->tail.khat : std::optional<double>()};
+}
 
 Certificate certificate(render::Session& session, const render::Document& document, const RenderStatistics& statistics,
                         double seconds, const bench::Progress& progress) {

@@ -47,6 +47,10 @@ struct RenderStatistics {
   std::optional<double> khat;
 };
 
+// The errors of the film are computed on this number of threads; 0: one per hardware thread.
+RenderStatistics statistics_of(const film::Film& film, const render::Status& status, const transport::Model& model,
+                               int threads);
+
 // The certificate of the rendering of a document. `session` may be the one it was rendered in: its compiled scene is
 // reused and its film is discarded. If the method may miss paths, about `seconds` are spent on measuring them.
 Certificate certificate(render::Session& session, const render::Document& document, const RenderStatistics& statistics,

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advisor/light_kinds.h"
-#include "advisor/report_numbers.h"
 #include "advisor/reference_integrator.h"
+#include "advisor/report_numbers.h"
 #include "base/hash.h"
 #include "render/image_output.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_kinds.h"
 
 namespace etendue::advisor {
 namespace {
@@ -81,13 +81,13 @@ std::string contradiction(const CertifiedImage& image) {
   return contradiction("a relMSE of", relative.relmse, *c.relmse, complete);
 }
 
-struct Comparison {
+struct TestedErrors {
   Verdict verdict;
   double precision_factor = 0;  // by how much the standard error of the true RMSE must fall for a verdict
 };
 
 // Compares the certified RMSE with the true one.
-Comparison compare(const MeanSquare& truth, const IntervalEstimate& certified) {
+TestedErrors compare(const MeanSquare& truth, const IntervalEstimate& certified) {
   const film::Interval root = extended_interval(certified), allowed{sqr(root.low), sqr(root.high)};
   const double margin = kTrueErrorSigmas * truth.standard_error;
   if (truth.value - margin > allowed.high || truth.value + margin < allowed.low) return {Verdict::refuted};
@@ -169,7 +169,7 @@ class Certifier {
     const double margin = kTrueErrorSigmas * truth.relative.standard_error;
     result_.relmse = {truth.relative.value,
                       {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
-    Comparison compared = compare(truth.absolute, *image_.certificate.rmse);
+    TestedErrors compared = compare(truth.absolute, *image_.certificate.rmse);
     // With few samples, a few pixels dominate the comparison, and its errors are not normally distributed. A contradiction
     // has to hold for twice the samples as well.
     const bool contradicts = compared.verdict == Verdict::refuted;

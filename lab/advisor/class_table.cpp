@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "advisor/declared_paths.h"
-#include "advisor/light_kinds.h"
 #include "advisor/reference_integrator.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_kinds.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::advisor {

@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "advisor/class_energy.h"
-#include "advisor/light_kinds.h"
+#include "advisor/minimised_error.h"
 #include "advisor/reference_integrator.h"
 #include "advisor/report_numbers.h"
 #include "base/hash.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_kinds.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::advisor {
@@ -51,12 +52,12 @@ std::string joined_refusals(const std::vector<ConsideredMethod>& considered) {
   return text;
 }
 
-ConsideredMethod considered(const ComparedMethod& m, const std::string& name) {
+ConsideredMethod considered(const ComparedMethod& m, render::MinimisedError measure, const std::string& name) {
   return {.name = name,
           .samples = m.samples,
           .cost = m.cost,
-          .pilot_error = m.error.value,
-          .predicted_error = m.predicted_error,
+          .pilot_error = shown_error(measure, m.error.value),
+          .predicted_error = shown_error(measure, m.predicted_error),
           .misses_light = m.misses_light};
 }
 
@@ -98,15 +99,11 @@ class MissingEnergy {
   }
 
   double squared_error(const ClassEnergy& energy) const {
-    if (!energy.found()) return 0;
-    const std::span<const ClassEnergy> one(&energy, 1);
-    if (measure_ == film::ErrorMeasure::rmse) return sqr(rms_of(one));
-    return measure_ == film::ErrorMeasure::relative ? relative_square_of(one, total_)
-                                                    : displayed_square_of(one, total_, small_.display.transform());
+    return energy.found() ? missing_square(energy, total_, small_, measure_) : 0;
   }
 
   render::Session& session_;
-  film::ErrorMeasure measure_;
+  render::MinimisedError measure_;
   render::Document small_;
   ClassEnergy total_;
   std::vector<std::pair<transport::Automaton, double>> known_;
@@ -223,11 +220,16 @@ class Chooser {
           static_cast<int>(std::clamp<double>(budget_samples() / kPilotSamples, kMinPilotPixels, kMaxPilotPixels));
       p.budget_samples = (1 - kSamplerShare) * budget_samples();
     }
-    const Comparison comparison = compare_methods(session_, document_, candidates, p, progress_);
-    for (const ComparedMethod& m : comparison.methods) choice_.considered.push_back(considered(m, m.method.integrator));
+    Comparison comparison = compare_methods(session_, document_, candidates, p, progress_);
+    for (const ComparedMethod& m : comparison.methods)
+      choice_.considered.push_back(considered(m, choice_.measure, m.method.integrator));
     if (std::isfinite(comparison.methods[0].predicted_error)) choice_.method = comparison.methods[0].method;
-    pilot_pixels_ = p.max_pixels;
+    pilot_pixels_ = choice_.pilot_pixels = p.max_pixels;
+    choice_.pilot_seed = p.seed;
     explain(comparison);
+    for (ComparedMethod& m : comparison.methods)
+      if (choice_.finalists.size() < 2 && std::isfinite(m.predicted_error) && !m.film.pixels().empty())
+        choice_.finalists.push_back(std::move(m));
   }
 
   void explain(const Comparison& comparison) {
@@ -236,15 +238,17 @@ class Chooser {
       choice_.reason = choice_.method.integrator + " without a comparison: the pilots were too short to measure errors";
       return;
     }
-    choice_.reason = best.method.integrator + " has the smallest predicted " + film::measure_label(choice_.measure) +
-                     " (" + error_number(choice_.measure, best.predicted_error) + ")";
+    choice_.reason = best.method.integrator + " has the smallest predicted " + minimised_label(choice_.measure) + " (" +
+                     minimised_text(choice_.measure, best.predicted_error) + ")";
     for (size_t i = 1; i < comparison.methods.size(); ++i) {
       const ComparedMethod& m = comparison.methods[i];
       if (m.misses_light)
         choice_.reason += ", " + m.method.integrator + " misses bright paths";
       else if (std::isfinite(m.predicted_error))
-        choice_.reason +=
-            ", " + m.method.integrator + ' ' + times(m.predicted_error / best.predicted_error) + " times that";
+        choice_.reason += ", " + m.method.integrator + ' ' +
+                          times(shown_error(choice_.measure, m.predicted_error) /
+                                shown_error(choice_.measure, best.predicted_error)) +
+                          " times that";
     }
   }
 
@@ -264,12 +268,15 @@ class Chooser {
     if (!choice_.by_time) p.budget_samples = kSamplerShare * budget_samples();
     base_ = 1 - kSamplerShare;
     share_ = kSamplerShare;
-    const Comparison comparison = compare_methods(session_, document_, variants, p, progress_);
+    Comparison comparison = compare_methods(session_, document_, variants, p, progress_);
     const auto present = std::ranges::find(comparison.methods, choice_.method, &ComparedMethod::method);
     const ComparedMethod& best = comparison.methods[0];
     if (!(best.predicted_error < kSamplerGain * present->predicted_error)) return;
     choice_.method = best.method;
     choice_.reason += "; sampler " + best.method.sampler;
+    // A pilot whose film was lost cannot continue.
+    if (comparison.methods[0].film.pixels().empty()) choice_.finalists.clear();
+    if (!choice_.finalists.empty()) choice_.finalists[0] = std::move(comparison.methods[0]);
   }
 
   render::Session& session_;
@@ -314,7 +321,7 @@ std::string choice_json(const MethodChoice& choice) {
   return json{{"integrator", choice.method.integrator},
               {"sampler", choice.method.sampler},
               {"reason", choice.reason},
-              {"error", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(choice.measure)].name},
+              {"error", Options<render::MinimisedError>::kOptions[static_cast<size_t>(choice.measure)].name},
               {"cost_unit", choice.by_time ? "seconds" : "rays"},
               {"seconds", choice.seconds},
               {"methods", list}}

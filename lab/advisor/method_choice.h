@@ -35,10 +35,15 @@ struct MethodChoice {
   render::MethodSettings method;
   std::string reason;                        // one sentence for people
   std::vector<ConsideredMethod> considered;  // the chosen one first
-  film::ErrorMeasure measure = film::ErrorMeasure::relative;
+  render::MinimisedError measure = render::MinimisedError::relative;
   bool by_time = false;  // costs are seconds; otherwise they are weighted rays and the choice is reproducible
   double seconds = 0;    // that the choice took
   bool interrupted = false;
+  // The pilots of the chosen method and of the best other integrator, and what they share: for a revision of the choice
+  // (choice_revision.h). Fewer if there was no comparison.
+  std::vector<ComparedMethod> finalists;
+  int pilot_pixels = 0;
+  uint64_t pilot_seed = 0;
 };
 
 struct ChoiceOptions {

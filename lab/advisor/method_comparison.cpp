@@ -6,10 +6,10 @@
 #include <ctime>
 
 #include "advisor/advisor.h"
+#include "advisor/integrator_costs.h"
+#include "advisor/minimised_error.h"
 #include "advisor/reference_integrator.h"
-#include "advisor/true_error.h"
 #include "base/vec.h"
-#include "film/film_image.h"
 #include "integrator/integrator_info.h"
 
 namespace etendue::advisor {
@@ -19,14 +19,14 @@ using integrator::Bias;
 
 // A method ends early if its squared error at equal cost, by the lower end of the error's interval, exceeds that of the
 // best one by this factor.
-double hopeless_factor(uint32_t samples) { return samples < 8 ? 16 : samples < 32 ? 4 : samples < 64 ? 2 : 1.3; }
+// FLIP of few samples is close to its largest value for every method.
+double hopeless_factor(uint32_t samples, render::MinimisedError measure) {
+  if (measure == render::MinimisedError::flip && samples < 32) return INFINITY;
+  return samples < 8 ? 16 : samples < 32 ? 4 : samples < 64 ? 2 : 1.3;
+}
 constexpr uint32_t kFirstSamples = 2;  // of the first round: one per half-buffer
 // Standard errors by which one image must be darker than another to count as incomplete.
 constexpr double kDarker = 4;
-
-// Typical time per ray relative to path tracing, in the order of integrator::Group. Measured on built-in scenes
-// (cornell-spheres, glossy-plates, spot-indirect, many-lights) with one thread; deviations of a factor of two occur.
-constexpr std::array<double, integrator::kGroups.size()> kTimePerRay{1, 1.2, 1.3, 2.5, 4};
 
 Bias bias_of_integrator(const render::MethodSettings& method) {
   return integrator::find_integrator(method.integrator)->bias;
@@ -43,19 +43,6 @@ void measure_mean(ComparedMethod& m) {
   const auto pixels = static_cast<double>(std::max<size_t>(1, m.film.pixels().size()));
   m.mean = sum / pixels;
   m.standard_error = std::sqrt(variance) / pixels;
-}
-
-// The film with one sample per half-buffer, whose values are the displayed means of that half-buffer.
-film::Film displayed_film(const film::Film& film, const film::DisplayTransform& display) {
-  film::Film shown(film.width(), film.height());
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x)
-      for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
-        const bool is_empty = film.half_buffer_samples(x, y, half) == 0;
-        const Rgb value = display(is_empty ? Rgb(0) : film.half_buffer_mean(x, y, half));
-        shown.add_sum(x, y, half, {double{value.r}, double{value.g}, double{value.b}}, 1);
-      }
-  return shown;
 }
 
 double pixels_of(const render::Document& d) { return static_cast<double>(d.width) * d.height; }
@@ -81,7 +68,10 @@ class MethodRace {
  private:
   // Returns false if interrupted.
   bool run_rounds() {
-    for (uint32_t samples = kFirstSamples; samples <= plan_.max_samples; samples *= 2) {
+    // Pilots of an earlier comparison continue together.
+    uint32_t first = kFirstSamples;
+    for (const ComparedMethod& m : racing_) first = std::max(first, 2 * m.samples);
+    for (uint32_t samples = first; samples <= plan_.max_samples; samples *= 2) {
       if (samples > kFirstSamples) make_affordable();
       if (racing_.size() < 2 && samples > kFirstSamples) return true;
       for (ComparedMethod& m : racing_) {
@@ -91,7 +81,7 @@ class MethodRace {
       }
       if (samples == kFirstSamples && plan_.budget_samples > 0) set_budget_from_samples();
       rank();
-      end_hopeless(hopeless_factor(samples));
+      end_hopeless(hopeless_factor(samples, plan_.measure));
     }
     return true;
   }
@@ -164,8 +154,12 @@ class MethodRace {
     }
     m.processor_seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     m.samples = status.samples;
-    m.error = film::measured_error(m.film, plan_.measure, d.display.transform());
+    m.error = measured_error(m.film, plan_.measure, d.display.transform());
     measure_mean(m);
+    if (plan_.measure == render::MinimisedError::flip) {
+      const film::MeasuredError relative = film::measured_error(m.film, film::ErrorMeasure::relative, {});
+      m.relative_error = relative.known ? relative.interval.high : INFINITY;
+    }
     return Outcome::completed;
   }
 
@@ -197,28 +191,27 @@ class MethodRace {
     return processor_seconds > 0 && m.processor_seconds > 0 ? m.processor_seconds * cost / processor_seconds : m.cost;
   }
 
-  // The squared error of an image, from an independent one.
-  MeanSquare squared_error(const film::Film& film, const film::Film& other) const {
-    if (plan_.measure != film::ErrorMeasure::displayed) {
-      const TrueError error = true_error(film::radiance_of(film), other);
-      return plan_.measure == film::ErrorMeasure::rmse ? error.absolute : error.relative;
-    }
-    const auto display = document_.display.transform();
-    std::vector<float> shown = film::radiance_of(film);
-    for (size_t i = 0; i + 2 < shown.size(); i += 3) {
-      const Rgb value = display(Rgb(shown[i], shown[i + 1], shown[i + 2]));
-      shown[i] = value.r, shown[i + 1] = value.g, shown[i + 2] = value.b;
-    }
-    return true_error(shown, displayed_film(other, display)).absolute;
-  }
-
   // The squared bias of a method, from the pilot of an unbiased one; an upper bound of two standard errors.
   double squared_bias(const ComparedMethod& m) const {
     if (bias_of_integrator(m.method) == Bias::unbiased) return 0;
     const ComparedMethod* other = reference_for(m);
     if (!other || m.film.pixels().empty()) return m.bias;
-    const MeanSquare square = squared_error(m.film, other->film);
+    const MeanSquare square = squared_error(m.film, other->film, plan_.measure, document_.display.transform());
     return std::max(0.0, square.value + 2 * square.standard_error - sqr(m.error.value));
+  }
+
+  // The squared FLIP of a pilot against the most accurate other one. Half-buffers that both lack rare bright light look alike,
+  // so FLIP between them is too small.
+  double squared_flip(const ComparedMethod& m) const {
+    const ComparedMethod* best = nullptr;
+    for (const auto* list : {&racing_, &result_.methods})
+      for (const ComparedMethod& other : *list)
+        if (&other != &m && std::isfinite(other.relative_error) && !other.film.pixels().empty() &&
+            bias_of_integrator(other.method) == Bias::unbiased &&
+            (!best || other.relative_error < best->relative_error))
+          best = &other;
+    if (!best || m.film.pixels().empty()) return 0;
+    return squared_error(m.film, best->film, plan_.measure, document_.display.transform()).value;
   }
 
   // Predicts the errors at the horizon. Noise falls as 1/n. The bias of consistent methods falls as n^-2/3, that of
@@ -229,6 +222,7 @@ class MethodRace {
       m.predicted_error = INFINITY;
       if (!m.error.known || m.cost <= 0) continue;
       m.noise = m.error.value * m.error.interval.high;
+      if (plan_.measure == render::MinimisedError::flip) m.noise = std::max(m.noise, squared_flip(m));
       m.bias = squared_bias(m);
       const double growth = size_ratio_ * plan_.horizon * result_.budget / comparable_cost(m);
       const double bias_left = bias_of_integrator(m.method) == Bias::biased ? 1 : std::pow(growth, -2.0 / 3);
@@ -266,8 +260,7 @@ class MethodRace {
 double time_cost(const render::Status& status, const render::MethodSettings&) { return status.seconds; }
 
 double ray_cost(const render::Status& status, const render::MethodSettings& method) {
-  const auto group = static_cast<size_t>(integrator::find_integrator(method.integrator)->group);
-  return kTimePerRay[group] * static_cast<double>(status.rays);
+  return time_per_ray(method.integrator) * static_cast<double>(status.rays);
 }
 
 Comparison compare_methods(render::Session& session, const render::Document& document,

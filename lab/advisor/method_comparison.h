@@ -5,6 +5,7 @@
 // halving [Karnin et al. 2013]). The cost is the rendering time, or any other additive number, so that a comparison can
 // be repeated with the same result.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,12 +24,13 @@ struct ComparedMethod {
   std::vector<std::byte> integrator_state = {};  // as in render::ResumePoint
   uint32_t samples = 0;                          // per pixel
   double cost = 0;
-  double processor_seconds = 0;  // of all threads
-  film::MeasuredError error = {};
+  double processor_seconds = 0;         // of all threads
+  film::MeasuredError error = {};       // as measured_error of minimised_error.h
   double mean = 0, standard_error = 0;  // luminance of the image
+  double relative_error = INFINITY;  // if FLIP is minimised, for the choice of the pilot that others are compared with
   // The squared error that more samples reduce as 1/n, and the square of the bias, of the pilot image.
   double noise = 0, bias = 0;
-  double predicted_error = 0;  // at the horizon of the plan; infinite if unknown
+  double predicted_error = 0;  // in the unit of `error`, at the horizon of the plan; infinite if unknown
   // It is significantly darker than another pilot, because its samples missed rare bright paths, or the paths that it
   // does not find are not negligible at the predicted error.
   bool misses_light = false;
@@ -38,11 +40,11 @@ struct ComparedMethod {
 using CostFunction = std::function<double(const render::Status&, const render::MethodSettings&)>;
 // Rendering time in seconds.
 double time_cost(const render::Status& status, const render::MethodSettings& method);
-// The number of rays, weighted by the typical time per ray of the integrator's group. It is the same on every machine.
+// The number of rays, weighted by the typical time per ray of the integrator (integrator_costs.h). It is the same on every machine.
 double ray_cost(const render::Status& status, const render::MethodSettings& method);
 
 struct ComparisonPlan {
-  film::ErrorMeasure measure = film::ErrorMeasure::relative;
+  render::MinimisedError measure = render::MinimisedError::relative;
   CostFunction cost = time_cost;
   double budget = 1;  // cost of all pilots together
   // Whether a pilot ends when the budget is used up. Otherwise the first round is completed in any case, and the result
@@ -67,7 +69,8 @@ struct Comparison {
   bool interrupted = false;
 };
 
-// `methods` have their settings and their missing paths. All rendering takes place in `session`. If `progress` returns
+// `methods` have their settings and their missing paths, or are pilots of an earlier comparison with the same seed and size,
+// which continue. All rendering takes place in `session`. If `progress` returns
 // false, the result is what has been measured so far.
 Comparison compare_methods(render::Session& session, const render::Document& document,
                            std::vector<ComparedMethod> methods, const ComparisonPlan& plan,

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "advisor/light_kinds.h"
 #include "advisor/reference_integrator.h"
 #include "advisor/report_numbers.h"
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_kinds.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::advisor {
@@ -71,7 +71,8 @@ MissingPaths missing_paths(const DeclaredPaths& declared, const ClassTable& tabl
   for (const ClassRow& row : table.rows) {
     if (const auto c = missing_part(row.paths, row.energy, measurable.paths, declared.paths, total, table.volumes)) {
       add(*c);
-    } else if (auto p = missing_part(row.paths, row.from_points, measurable.point_paths, declared.point_paths, total, table.volumes)) {
+    } else if (auto p = missing_part(row.paths, row.from_points, measurable.point_paths, declared.point_paths, total,
+                                     table.volumes)) {
       p->from_point_lights = true;
       add(*p);
     }

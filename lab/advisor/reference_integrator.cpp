@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advisor/light_kinds.h"
 #include "render/incompatibility.h"
+#include "scene/light_kinds.h"
 
 namespace etendue::advisor {
 namespace {

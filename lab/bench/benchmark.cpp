@@ -11,135 +11,189 @@
 namespace etendue::bench {
 namespace {
 
+// The fraction of the budget that is left for rendering after an automatic choice, if the choice took longer.
+constexpr double kLeastRemaining = 0.01;
+
+// Renders repeats, each of which has a number (unit_count).
 class Runner {
  public:
-  Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress)
-      : session_(session), plan_(plan), reference_(reference), progress_(progress) {
-    for (const auto& method : plan.methods) {
-      MethodResult& result = outcome_.methods.emplace_back();
-      result.curves.name = method.label();
-      if (!method.is_external()) result.incompatibility = incompatibility_of(method);
+  Runner(render::Session& session, const Plan& plan, size_t first, size_t end, const Reference& reference,
+         const Progress& progress)
+      : session_(session), plan_(plan), first_(first), end_(end), reference_(reference), progress_(progress) {}
+
+  std::vector<std::string> incompatibilities() const {
+    std::vector<std::string> texts;
+    std::shared_ptr<const scene::CompiledScene> scene = session_.scene();
+    for (const MethodSpec& method : plan_.methods) {
+      std::string& text = texts.emplace_back();
+      if (method.is_external() || method.is_automatic()) continue;
+      const render::Document& d = method.document;
+      scene = scene::compile(d.scene, d.camera, scene, d.height);
+      text = render::incompatibility(d, *scene);
     }
+    return texts;
   }
 
-  Outcome run() {
-    for (int repeat = 0; repeat < plan_.repeats; ++repeat)
-      for (size_t method = 0; method < plan_.methods.size(); ++method)
-        if (outcome_.methods[method].incompatibility.empty() && !run_repeat(method, repeat)) {
-          outcome_.interrupted = true;
-          return std::move(outcome_);
-        }
-    return std::move(outcome_);
+  // Calls `take` with the results, in the order of their numbers. Methods for which `is_measured` returns false are
+  // left out. False if it was interrupted; the results of the repeat at that time are discarded.
+  template <class IsMeasured, class Take>
+  bool run(const IsMeasured& is_measured, const Take& take) {
+    for (unit_ = first_; unit_ < end_; ++unit_) {
+      if (!is_measured(method())) continue;
+      auto result = spec().is_external() ? run_external() : run_integrator();
+      if (!result) return false;
+      result->method = method();
+      take(std::move(*result));
+    }
+    return true;
   }
 
  private:
-  std::string incompatibility_of(const MethodSpec& method) {
-    const render::Document& d = method.document;
-    scene_ = scene::compile(d.scene, d.camera, scene_ ? scene_ : session_.scene(), d.height);
-    return render::incompatibility(d, *scene_);
-  }
+  size_t method() const { return unit_ % plan_.methods.size(); }
+  int repeat() const { return static_cast<int>(unit_ / plan_.methods.size()); }
+  const MethodSpec& spec() const { return plan_.methods[method()]; }
+  uint64_t seed() const { return repeat_seed(plan_.seed, method(), repeat()); }
 
-  // One repeat of one method. Returns false if it was interrupted; its results are then discarded.
-  bool run_repeat(size_t method, int repeat) {
-    return plan_.methods[method].is_external() ? run_external(method, repeat) : run_integrator(method, repeat);
-  }
-
-  bool run_external(size_t method, int repeat) {
-    const MethodSpec& spec = plan_.methods[method];
-    MethodResult& result = outcome_.methods[method];
-    metrics::ErrorCurve curve{repeat, {}};
+  // Nothing if it was interrupted.
+  std::optional<RepeatResult> run_external() {
+    RepeatResult result{.curve = {repeat(), {}}, .rays_per_second = NAN};
     std::vector<ExternalRun> runs;
-    std::vector<float> image;
     while (const uint32_t samples = next_external_samples(runs, plan_.seconds, plan_.samples)) {
       render::Status status;
       if (!runs.empty()) status.seconds = runs.back().seconds - time_of(runs).startup;
       status.samples = runs.empty() ? 0 : runs.back().samples;
+      const render::Document& d = spec().document;
       auto rendered =
-          render_externally(spec.command, spec.document.width, spec.document.height, samples,
-                            repeat_seed(plan_.seed, method, repeat), [&] { return report(method, repeat, status); });
-      if (!rendered && rendered.error().fault == Fault::interrupted) return false;
-      if (!rendered) return fail(result, rendered.error().message);
+          render_externally(spec().command, d.width, d.height, samples, seed(), [&] { return report(status); });
+      if (!rendered && rendered.error().fault == Fault::interrupted) return std::nullopt;
+      if (!rendered) return RepeatResult{.failure = rendered.error().message};
       runs.push_back({samples, rendered->seconds});
-      image = std::move(rendered->rgb);
-      curve.points.push_back(measure_error(image, reference_, rendered->seconds, samples));
+      result.image = std::move(rendered->rgb);
+      result.curve.points.push_back(measure_error(result.image, reference_, rendered->seconds, samples));
     }
     const ExternalTime time = time_of(runs);
-    for (metrics::ErrorPoint& point : curve.points) point.seconds = time.per_sample * point.spp;
-    result.startup_seconds.push_back(time.startup);
-    render::Status status;
-    status.rays_per_second = NAN;
-    finish(result, std::move(curve), std::move(image), status);
-    return true;
+    for (metrics::ErrorPoint& point : result.curve.points) point.seconds = time.per_sample * point.spp;
+    result.startup_seconds = time.startup;
+    return result;
   }
 
-  // Gives up on another renderer.
-  static bool fail(MethodResult& result, const std::string& message) {
-    const std::string name = result.curves.name;
-    result = {};
-    result.curves.name = name;
-    result.incompatibility = message;
-    return true;
-  }
-
-  bool run_integrator(size_t method, int repeat) {
-    render::Document d = plan_.methods[method].document;
-    d.seed = repeat_seed(plan_.seed, method, repeat);
-    metrics::ErrorCurve curve{repeat, {}};
-    std::vector<float> image;
+  std::optional<RepeatResult> run_integrator() {
+    render::Document d = spec().document;
+    d.seed = seed();
+    RepeatResult result{.curve = {repeat(), {}}};
+    double choice_seconds = 0;
+    if (spec().is_automatic()) {
+      const auto chosen = choose(d);
+      if (!chosen) return RepeatResult{.failure = chosen.error().message};
+      if (chosen->interrupted) return std::nullopt;
+      d = chosen->document;
+      choice_seconds = chosen->seconds;
+      result.choice = chosen->reason;
+    }
+    const double seconds =
+        plan_.seconds > 0 ? std::max(kLeastRemaining * plan_.seconds, plan_.seconds - choice_seconds) : 0;
     render::Status status;
     for (uint32_t count = 1;; count = next_sample_count(count)) {
-      if (!report(method, repeat, status)) return false;  // short renderings end before wait_for reports
+      if (!report(status)) return std::nullopt;  // short renderings end before wait_for reports
       const bool last = plan_.samples > 0 && count >= plan_.samples;
-      d.limits = {last ? plan_.samples : count, plan_.seconds, 0};
-      if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(method, repeat, s); }))
-        return false;
+      d.limits = {last ? plan_.samples : count, seconds, 0};
+      if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(s); })) return std::nullopt;
       const uint32_t before = status.samples;
       status = session_.status();
-      if (status.samples > before || curve.points.empty()) {
-        image = film::radiance_of(session_.film_copy());
-        curve.points.push_back(measure_error(image, reference_, status.seconds, status.samples));
+      if (status.samples > before || result.curve.points.empty()) {
+        result.image = film::radiance_of(session_.film_copy());
+        result.curve.points.push_back(
+            measure_error(result.image, reference_, choice_seconds + status.seconds, status.samples));
       }
       if (last || status.samples < count) break;
     }
-    finish(outcome_.methods[method], std::move(curve), std::move(image), status);
-    return true;
+    result.rays_per_second = status.rays_per_second;
+    if (!status.reliability) return result;
+    result.khat = status.reliability->tail.khat;
+    result.has_heavy_tail = status.reliability->verdict == render::Verdict::unreliable;
+    return result;
   }
 
-  void finish(MethodResult& result, metrics::ErrorCurve curve, std::vector<float> image, const render::Status& status) {
-    result.rays_per_second.push_back(status.rays_per_second);
-    const auto n = static_cast<double>(result.rays_per_second.size());
-    result.mean_mse += (curve.points.back().mse - result.mean_mse) / n;
-    result.mean_image.resize(image.size());
-    for (size_t i = 0; i < image.size(); ++i)
-      result.mean_image[i] += (static_cast<double>(image[i]) - result.mean_image[i]) / n;
-    result.curves.repeats.push_back(std::move(curve));
-    result.image = std::move(image);
-    result.reliability = status.reliability;
+  Result<ChosenMethod> choose(render::Document d) {
+    if (!plan_.choose) return usage_error("the integrator cannot be chosen automatically here");
+    d.limits = {plan_.samples, plan_.seconds, 0};
+    return plan_.choose(session_, d, [&](double, const std::string&) { return report({}); });
   }
 
-  bool report(size_t method, int repeat, const render::Status& s) const {
-    const double runs = static_cast<double>(plan_.methods.size()) * plan_.repeats;
-    const double finished =
-        static_cast<double>(repeat) * static_cast<double>(plan_.methods.size()) + static_cast<double>(method);
+  bool report(const render::Status& s) const {
     double current = plan_.seconds > 0 ? s.seconds / plan_.seconds : 0;
     if (plan_.samples > 0) current = std::max(current, static_cast<double>(s.samples) / plan_.samples);
+    const auto finished = static_cast<double>(unit_ - first_), all = static_cast<double>(end_ - first_);
     return progress_(
-        (finished + std::min(current, 1.0)) / runs,
-        plan_.methods[method].label() + ", repeat " + std::to_string(repeat + 1) + " of " + std::to_string(plan_.repeats));
+        (finished + std::min(current, 1.0)) / all,
+        spec().label() + ", repeat " + std::to_string(repeat() + 1) + " of " + std::to_string(plan_.repeats));
   }
 
   render::Session& session_;
   const Plan& plan_;
+  size_t first_, end_;
   const Reference& reference_;
   const Progress& progress_;
-  std::shared_ptr<const scene::CompiledScene> scene_;
-  Outcome outcome_;
+  size_t unit_ = 0;  // the number of the present repeat
 };
 
 }  // namespace
 
+size_t unit_count(const Plan& plan) { return plan.methods.size() * static_cast<size_t>(plan.repeats); }
+
+OutcomeBuilder::OutcomeBuilder(const Plan& plan, const std::vector<std::string>& incompatibilities) {
+  for (size_t i = 0; i < plan.methods.size(); ++i) {
+    MethodResult& result = outcome_.methods.emplace_back();
+    result.curves.name = plan.methods[i].label();
+    result.incompatibility = incompatibilities[i];
+  }
+}
+
+void OutcomeBuilder::add(RepeatResult repeat) {
+  MethodResult& result = outcome_.methods[repeat.method];
+  if (!result.incompatibility.empty()) return;
+  if (!repeat.failure.empty()) {
+    const std::string name = result.curves.name;
+    result = {};
+    result.curves.name = name;
+    result.incompatibility = repeat.failure;
+    return;
+  }
+  result.rays_per_second.push_back(repeat.rays_per_second);
+  if (!repeat.choice.empty()) result.choices.push_back(std::move(repeat.choice));
+  if (repeat.startup_seconds) result.startup_seconds.push_back(*repeat.startup_seconds);
+  const auto n = static_cast<double>(result.rays_per_second.size());
+  result.mean_mse += (repeat.curve.points.back().mse - result.mean_mse) / n;
+  result.mean_image.resize(repeat.image.size());
+  for (size_t i = 0; i < repeat.image.size(); ++i)
+    result.mean_image[i] += (static_cast<double>(repeat.image[i]) - result.mean_image[i]) / n;
+  result.curves.repeats.push_back(std::move(repeat.curve));
+  result.image = std::move(repeat.image);
+  result.khat = repeat.khat;
+  result.has_heavy_tail = repeat.has_heavy_tail;
+}
+
 Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress) {
-  return Runner(session, plan, reference, progress).run();
+  Runner runner(session, plan, 0, unit_count(plan), reference, progress);
+  OutcomeBuilder builder(plan, runner.incompatibilities());
+  const bool complete = runner.run([&](size_t method) { return builder.is_measured(method); },
+                                   [&](RepeatResult result) { builder.add(std::move(result)); });
+  return builder.take(!complete);
+}
+
+PartOutcome run_part(render::Session& session, const Plan& plan, size_t first, size_t end, const Reference& reference,
+                     const Progress& progress) {
+  Runner runner(session, plan, first, end, reference, progress);
+  PartOutcome outcome{.incompatibilities = runner.incompatibilities(), .repeats = {}};
+  std::vector<bool> failed(plan.methods.size());
+  const bool complete =
+      runner.run([&](size_t method) { return outcome.incompatibilities[method].empty() && !failed[method]; },
+                 [&](RepeatResult result) {
+                   failed[result.method] = !result.failure.empty();
+                   outcome.repeats.push_back(std::move(result));
+                 });
+  outcome.interrupted = !complete;
+  return outcome;
 }
 
 }  // namespace etendue::bench

@@ -87,13 +87,12 @@ struct Assignment {
 Result<std::vector<Assignment>> assignments_of(const std::string& method) {
   const auto parts = split(method, ':');
   if (parts[0].empty()) return method_error(method, "the integrator is missing; give integrator[:name=value]...");
-  if (parts[0] == render::kAutomatic)
-    return method_error(method, "the automatic choice is not a method; give the integrators to compare");
   std::vector<Assignment> list{{"render.integrator", parts[0]}};
   for (size_t i = 1; i < parts.size(); ++i) {
     const size_t equals = parts[i].find('=');
     if (equals == std::string::npos) return method_error(method, "'" + parts[i] + "' has no '='; give name=value");
-    const std::string name = parts[i].substr(0, equals), value = parts[i].substr(equals + 1);
+    std::string name = parts[i].substr(0, equals), value = parts[i].substr(equals + 1);
+    if (parts[0] == render::kAutomatic && (name == "allow" || name == "error")) name = "auto." + name;
     if (name == "sampler" || name == "render.sampler")
       list.insert(list.begin() + 1, {"render.sampler", value});
     else
@@ -110,14 +109,8 @@ Result<MethodSpec> parse_external(const std::string& text, const render::Documen
   return MethodSpec{text, base, command};
 }
 
-}  // namespace
-
-std::string MethodSpec::label() const {
-  if (!is_external()) return name;
-  return std::filesystem::path(command.substr(0, command.find(' '))).stem().string();
-}
-
-Result<MethodSpec> parse_method(const std::string& text, const render::Document& base) {
+// An integrator with its settings, or the automatic choice.
+Result<MethodSpec> parse_integrator(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
   if (!assignments) return assignments.error();
   MethodSpec method{text, base};
@@ -138,11 +131,25 @@ Result<MethodSpec> parse_method(const std::string& text, const render::Document&
   return method;
 }
 
+}  // namespace
+
+std::string MethodSpec::label() const {
+  if (!is_external()) return name;
+  return std::filesystem::path(command.substr(0, command.find(' '))).stem().string();
+}
+
+Result<MethodSpec> parse_method(const std::string& text, const render::Document& base) {
+  auto method = parse_integrator(text, base);
+  if (method && method->is_automatic())
+    return method_error(text, "the automatic choice is not a single method; give the integrator");
+  return method;
+}
+
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base) {
   std::vector<MethodSpec> methods;
   for (const auto& text : split_methods(list)) {
     if (text.empty()) continue;
-    auto method = text.starts_with(kExternal) ? parse_external(text, base) : parse_method(text, base);
+    auto method = text.starts_with(kExternal) ? parse_external(text, base) : parse_integrator(text, base);
     if (!method) return method.error();
     if (std::ranges::any_of(methods, [&](const MethodSpec& m) { return m.name == text; }))
       return method_error(text, "the method is given twice");

@@ -1,5 +1,5 @@
-// Methods as users write them: integrator[:name=value]..., with the sampler as one of the values, or
-// external:"COMMAND" for another renderer (external_renderer.h).
+// Methods as users write them: integrator[:name=value]..., with the sampler as one of the values, auto[:name=value]...
+// for the automatic choice of the integrator, or external:"COMMAND" for another renderer (external_renderer.h).
 #pragma once
 #include <string>
 #include <vector>
@@ -15,6 +15,8 @@ struct MethodSpec {
   std::string command = {};  // of another renderer; empty for an integrator
 
   bool is_external() const { return !command.empty(); }
+  // Whether the integrator is chosen before each rendering (Plan::choose).
+  bool is_automatic() const { return !is_external() && document.automatic.enabled; }
   // For charts and tables: the name, or the program of another renderer.
   std::string label() const;
 };
@@ -22,9 +24,10 @@ struct MethodSpec {
 // Parses one method, as "path:sampler=sobol", and applies it to the base document.
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base);
 
-// Parses a list, as "path:sampler=sobol,path-pure:max-depth=3". Commas inside double quotes do not separate methods. Only
-// lists may contain other renderers, because sessions and other files must not name programs to run. Usage errors: an unknown name, a value out of range, a
-// setting that changes the image itself (size, camera, scene, seed), a method given twice, and an empty list.
+// Parses a list, as "path:sampler=sobol,path-pure:max-depth=3,auto:allow=consistent". Commas inside double quotes do not
+// separate methods. Only lists may contain the automatic choice, and other renderers, because sessions and other files
+// must not name programs to run. Usage errors: an unknown name, a value out of range, a setting that changes the image
+// itself (size, camera, scene, seed), a method given twice, and an empty list.
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base);
 
 }  // namespace etendue::bench

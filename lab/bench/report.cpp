@@ -30,8 +30,9 @@ json number(const metrics::Estimate& e) { return e.known ? number(e.value) : jso
 // null with a single repeat.
 json error_of(const metrics::Estimate& e) { return e.known && e.degrees > 0 ? number(e.standard_error) : json(); }
 
-json method_json(const MethodSummary& s) {
+json method_json(const MethodSummary& s, const MethodResult& result) {
   return {{"name", s.name},
+          {"choices", result.choices},
           {"slope", number(s.slope)},
           {"slope_stderr", error_of(s.slope)},
           {"slope_over_samples", number(s.slope_over_samples)},
@@ -163,7 +164,7 @@ std::string summary_json(const Report& r) {
   for (const auto& method : r.outcome.methods) {
     const auto summary = summary_of(method, r.reference, r.document.display);
     too_noisy = too_noisy || summary.reference_too_noisy;
-    methods.push_back(method_json(summary));
+    methods.push_back(method_json(summary, method));
   }
   const json reference{{"file", r.reference.file},
                        {"standard_error", number(r.reference.standard_error())},

@@ -1,6 +1,7 @@
 // The HTML page of a benchmark: charts, tables, an image comparison, and the command that reproduces it.
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "base/base64.h"
 #include "bench/html_page.h"
@@ -112,8 +113,8 @@ std::string tables(const Report& r) {
          "<p class=\"note\">Medians over the repeats, at their end; &plusmn; is one standard error over the repeats. "
          "The error of the reference has been subtracted. Efficiency is 1 / (MSE &middot; seconds); relative "
          "efficiency "
-         "is the ratio to the first method. Seconds are rendering time; the start-up of other renderers is "
-         "stated separately.</p>\n"
+         "is the ratio to the first method. Seconds are rendering time, with the pilots of the automatic choice; the "
+         "start-up of other renderers is stated separately.</p>\n"
          "<h2>Convergence, bias and variance</h2>\n" +
          error_table(all) +
          "<p class=\"note\">Slopes are those of log RMSE: &minus;1/2 for Monte Carlo, steeper for quasi-Monte Carlo, "
@@ -147,10 +148,20 @@ std::string reference_text(const Report& r) {
                                    : ", standard error unknown");
 }
 
+// The reasons of the automatic choice, each once.
+std::string choice_facts(const Report& r) {
+  std::string html;
+  for (const MethodResult& method : r.outcome.methods) {
+    const std::set<std::string> reasons(method.choices.begin(), method.choices.end());
+    for (const std::string& reason : reasons) html += fact(escape_markup(method.curves.name), escape_markup(reason));
+  }
+  return html;
+}
+
 std::string facts(const Report& r) {
   return "<dl class=\"facts\">\n" + fact("scene", "<code>" + escape_markup(r.document.scene_name) + "</code>") +
          fact("image", std::to_string(r.document.width) + " &times; " + std::to_string(r.document.height) + " pixels") +
-         fact("measured", plan_text(r)) + fact("reference", reference_text(r)) + "</dl>\n";
+         fact("measured", plan_text(r)) + fact("reference", reference_text(r)) + choice_facts(r) + "</dl>\n";
 }
 
 std::string warnings(const Report& r) {

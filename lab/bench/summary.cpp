@@ -61,10 +61,8 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.rays_per_second = metrics::quantile(result.rays_per_second, 0.5);
   if (!result.startup_seconds.empty()) s.startup_seconds = metrics::quantile(result.startup_seconds, 0.5);
   s.flip = flip_of(result, reference, display);
-  if (result.reliability) {
-    s.khat = result.reliability->tail.khat;
-    s.has_heavy_tail = result.reliability->verdict == render::Verdict::unreliable;
-  }
+  s.khat = result.khat;
+  s.has_heavy_tail = result.has_heavy_tail;
   s.reference_too_noisy = metrics::is_reference_too_noisy(corrected, noise);
   return s;
 }

@@ -116,18 +116,20 @@ Result<NystromSolution> solve_nystrom(const FredholmEquation& equation, const Qu
   return solution;
 }
 
-Result<Approximation> solve_collocation(const FredholmEquation& equation, int element_count) {
-  const Elements elements(equation, ElementBasis::boxes, element_count);
+Result<Approximation> solve_collocation(const FredholmEquation& equation, int element_count, ElementBasis basis) {
+  const Elements elements(equation, basis, element_count);
   const QuadratureRule gauss = gauss_legendre(kElementPoints);
   LinearSystem system = zero_system(elements.functions());
   for (size_t j = 0; j < system.size(); ++j) {
-    const double x = elements.position(j, 0.5);
+    const double x = elements.position(j, basis == ElementBasis::boxes ? 0.5 : 0);
     system.right[j] = equation.source(x);
     system.matrix[j][j] = 1;
-    for (size_t i = 0; i < system.size(); ++i)
-      for (size_t q = 0; q < gauss.size(); ++q)
-        system.matrix[j][i] -=
-            elements.width() * gauss.weights[q] * equation.kernel(x, elements.position(i, gauss.nodes[q]));
+    for (size_t e = 0; e < elements.elements(); ++e)
+      for (size_t q = 0; q < gauss.size(); ++q) {
+        const double k = elements.width() * gauss.weights[q] * equation.kernel(x, elements.position(e, gauss.nodes[q]));
+        for (size_t i = 0; i < elements.per_element(); ++i)
+          system.matrix[j][Elements::function(e, i)] -= k * elements.value(i, gauss.nodes[q]);
+      }
   }
   auto coefficients = solve(system);
   if (!coefficients) return coefficients.error();

@@ -40,8 +40,9 @@ enum class ElementBasis {
   hats,   // continuous, linear in each element
 };
 
-// The residual is zero at the middle of each element [Lang, eq. 2.439]. With boxes.
-Result<Approximation> solve_collocation(const FredholmEquation& equation, int elements);
+// The residual is zero at the middle of each element for boxes, at the ends of the elements for hats [Lang, eq. 2.439].
+Result<Approximation> solve_collocation(const FredholmEquation& equation, int elements,
+                                        ElementBasis basis = ElementBasis::boxes);
 // The residual is orthogonal to the basis [Lang, eq. 2.456]; with hats this is a finite element method.
 Result<Approximation> solve_galerkin(const FredholmEquation& equation, ElementBasis basis, int elements);
 

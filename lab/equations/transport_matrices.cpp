@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 
 namespace etendue::equations {
 namespace {
@@ -129,17 +131,27 @@ OperatorNorms transport_norms(const TransportMatrices& t) {
   return {supremum, integral, solver.eigenvalues().cwiseAbs().maxCoeff()};
 }
 
-Vector leading_eigenvector(const TransportMatrices& t) {
+Vector leading_eigenvector(const TransportMatrices& t) { return leading_eigenpairs(t, 1)[0].vector; }
+
+std::vector<Eigenpair> leading_eigenpairs(const TransportMatrices& t, int count) {
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric_transport(t));
-  Eigen::Index leading = 0;
-  solver.eigenvalues().cwiseAbs().maxCoeff(&leading);
-  // v of the symmetric matrix belongs to sqrt(rho / A) v of K G.
-  const Column scaled =
-      (column(t.reflectance).array() / column(t.area).array()).sqrt() * solver.eigenvectors().col(leading).array();
-  Eigen::Index largest = 0;
-  scaled.cwiseAbs().maxCoeff(&largest);
-  return vector_of(scaled / scaled(largest));
+  std::vector<Eigen::Index> order(t.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::ranges::stable_sort(order, std::greater(), [&](Eigen::Index k) { return std::abs(solver.eigenvalues()(k)); });
+  order.resize(std::min(order.size(), static_cast<size_t>(count)));
+  const Column root = (column(t.reflectance).array() / column(t.area).array()).sqrt();
+  std::vector<Eigenpair> pairs;
+  for (const Eigen::Index k : order) {
+    // v of the symmetric matrix belongs to sqrt(rho / A) v of K G.
+    const Column scaled = root.array() * solver.eigenvectors().col(k).array();
+    Eigen::Index largest = 0;
+    scaled.cwiseAbs().maxCoeff(&largest);
+    pairs.push_back({solver.eigenvalues()(k), vector_of(scaled / scaled(largest))});
+  }
+  return pairs;
 }
+
+Rows transport_operator(const TransportMatrices& t) { return rows_of(scattering(t) * propagation(t)); }
 
 EnergyBalance energy_balance(const TransportMatrices& t, const Vector& emitted, const Vector& exitant) {
   EnergyBalance balance{0, 0, 0};

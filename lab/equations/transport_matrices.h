@@ -61,6 +61,17 @@ OperatorNorms transport_norms(const TransportMatrices& t);
 // The eigenvector of T = K G for the eigenvalue of largest modulus, scaled to a largest value of one.
 Vector leading_eigenvector(const TransportMatrices& t);
 
+// The eigenpairs of T = K G whose eigenvalues have the largest moduli, in descending order. They are real, because K and G are
+// self-adjoint. Each vector has the largest value one.
+struct Eigenpair {
+  double value = 0;
+  Vector vector;
+};
+std::vector<Eigenpair> leading_eigenpairs(const TransportMatrices& t, int count);
+
+// The matrix of T = K G.
+Rows transport_operator(const TransportMatrices& t);
+
 // Powers in W, from radiances in W/(m^2 sr).
 struct EnergyBalance {
   double emitted, absorbed, escaped;  // what is neither absorbed nor arrives at an element escapes

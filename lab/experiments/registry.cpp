@@ -14,7 +14,9 @@
   ENTRY(markov)                    \
   ENTRY(fredholm)                  \
   ENTRY(iterations)                \
+  ENTRY(radiosity_elements)        \
   ENTRY(transport_operators)       \
+  ENTRY(power_iteration)           \
   ENTRY(random_walks)              \
   ENTRY(linear_walks)              \
   ENTRY(variance_reduction)        \

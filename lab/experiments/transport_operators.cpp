@@ -14,125 +14,25 @@
 // solution operator (I - K G)^-1 relights the scene: its product with another emission is the new solution. Without the
 // first term it is the global reflectance distribution function, which is reciprocal.
 //
-// Charts show the operators, the radiance that the camera sees, the incident importance of the camera, i.e. how much the
-// light at a place contributes to its image, and the eigenvector of K G of the largest eigenvalue: the distribution of light
-// after many reflections. Rows and columns of matrices are the sides of patches in the order of the scene.
+// Charts show the operators K, G and K G, the radiance that the camera sees, the incident importance of the camera, i.e. how
+// much the light at a place contributes to its image, the first terms of the Neumann series, and the eigenvectors of K G of
+// the largest eigenvalues: the first is the distribution of light after many reflections. For one element, pictures show
+// where its light goes (a column of the global reflectance) and where its light comes from (a row, the adjoint view). Rows
+// and columns of matrices are the sides of patches in the order of the scene.
+//
+// Any scene with few triangles can be given, also as a file. Surfaces are taken as diffuse, with the green component of their
+// colours. If no surface emits, the source is the light that surfaces reflect from point lights and the environment.
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
-#include "camera/camera_ray.h"
-#include "equations/transport_matrices.h"
-#include "experiments/experiment.h"
-#include "radiosity/reflectance.h"
-#include "radiosity/scene_solution.h"
-#include "scene/builtin/builtin.h"
-#include "scene/builtin/shapes.h"
-#include "scene/compiled_scene.h"
-
-namespace etendue::experiments {
-
-enum class OperatorScene { cornell, furnace };
-
-}  // namespace etendue::experiments
-
-template <>
-struct etendue::Options<etendue::experiments::OperatorScene> {
-  static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"cornell", "Cornell box"}, {"furnace", "Closed cube of albedo 0.75"}}};
-};
+#include "experiments/operator_model.h"
 
 namespace etendue::experiments {
 namespace {
 
 using equations::TransportMatrices;
 using equations::Vector;
-using radiosity::PatchMesh;
-
-constexpr uint32_t kRays = 1024;  // per side of a patch
-constexpr int kViewSize = 64;     // pixels of the pictures
-constexpr double kFurnaceAlbedo = 0.75;
-
-// A scene, and the sides of its patches that see another side: the elements of the matrices.
-class OperatorModel {
- public:
-  OperatorModel(const scene::Scene& scene, const Camera& camera, int patches)
-      : camera_(camera),
-        scene_(scene::compile(std::make_shared<const scene::Scene>(scene), camera, nullptr)),
-        mesh_(*scene_, {.meshing = radiosity::Meshing::area, .patches = patches}) {}
-
-  // Nothing if `context` ends the run.
-  bool build(const RunContext& context, float (*component)(const Rgb&)) {
-    radiosity::SolutionPlan plan;
-    plan.factors = {radiosity::FormFactorMethod::hemisphere, kRays};
-    plan.light_samples = 1;  // direct light is not used
-    plan.seed = context.seed;
-    radiosity::SceneSolution solution(plan, mesh_.element_count());
-    for (int task = 0; task < solution.tasks(); ++task) {
-      if (!context.proceed(0.9 * task / solution.tasks())) return false;
-      solution.run(*scene_, mesh_, task, nullptr);
-    }
-    const auto reflectance = radiosity::patch_reflectances(*scene_, mesh_);
-    solution.finish(mesh_, reflectance);
-    collect(*solution.factors(), reflectance, component);
-    return true;
-  }
-
-  const TransportMatrices& matrices() const { return matrices_; }
-  const Vector& emitted() const { return emitted_; }
-  const PatchMesh& mesh() const { return mesh_; }
-  uint32_t side(size_t element) const { return sides_[element]; }
-
-  // The element that the camera sees in each pixel of a small picture, row by row from the top; -1 for none.
-  std::vector<int> visible_elements() const {
-    std::vector<int> elements;
-    const CameraRays rays(camera_, kViewSize, kViewSize);
-    for (int y = 0; y < kViewSize; ++y)
-      for (int x = 0; x < kViewSize; ++x) {
-        const Ray ray = rays.ray(Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), Vec2(0.5f));
-        const Hit hit = scene_->intersect(ray, 0);
-        const uint32_t side = hit ? mesh_.element_at(hit, ray.direction) : radiosity::kNoElement;
-        elements.push_back(side == radiosity::kNoElement ? -1 : element_of_[side]);
-      }
-    return elements;
-  }
-
- private:
-  void collect(const radiosity::FormFactors& factors, const std::vector<Rgb>& reflectance,
-               float (*component)(const Rgb&)) {
-    element_of_.assign(mesh_.element_count(), -1);
-    for (uint32_t i = 0; i < mesh_.element_count(); ++i)
-      if (!factors.exchanges(i).empty()) {
-        element_of_[i] = static_cast<int>(sides_.size());
-        sides_.push_back(i);
-      }
-    const size_t n = sides_.size();
-    matrices_.propagation.assign(n, Vector(n, 0.0));
-    for (size_t row = 0; row < n; ++row) {
-      const double area = factors.areas()[sides_[row]];
-      for (const auto& f : factors.exchanges(sides_[row]))
-        matrices_.propagation[row][static_cast<size_t>(element_of_[f.element])] = static_cast<double>(f.value) / area;
-      matrices_.area.push_back(area);
-      matrices_.reflectance.push_back(static_cast<double>(component(reflectance[sides_[row] / 2])));
-      emitted_.push_back(static_cast<double>(component(emission_of(sides_[row]))));
-    }
-  }
-
-  Rgb emission_of(uint32_t side) const {
-    const auto& instance = scene_->instances()[mesh_.patch_of(side).instance];
-    const Material& material = scene_->materials()[instance.material].description;
-    return PatchMesh::is_front(side) || material.double_sided ? material.emission : Rgb(0);
-  }
-
-  Camera camera_;
-  std::shared_ptr<const scene::CompiledScene> scene_;
-  PatchMesh mesh_;
-  std::vector<uint32_t> sides_;  // of the elements
-  std::vector<int> element_of_;  // by side; -1 for sides that see nothing
-  TransportMatrices matrices_;
-  Vector emitted_;
-};
 
 double largest_of(const Vector& v) {
   double most = 0;
@@ -153,31 +53,15 @@ Vector product(const equations::Rows& matrix, const Vector& v) {
   return result;
 }
 
-metrics::MatrixChart picture(const char* title, const std::vector<int>& visible, const Vector& values) {
-  metrics::MatrixChart chart{.title = title, .x_label = "as the camera sees it", .y_label = {}, .rows = {}};
-  for (size_t y = 0; y < kViewSize; ++y) {
-    chart.rows.emplace_back();
-    for (size_t x = 0; x < kViewSize; ++x) {
-      const int element = visible[y * kViewSize + x];
-      chart.rows.back().push_back(element < 0 ? NAN : values[static_cast<size_t>(element)]);
-    }
-  }
-  return chart;
-}
-
 metrics::MatrixChart matrix(const char* title, equations::Rows rows) {
   return {
       .title = title, .x_label = "element of the source", .y_label = "element of the result", .rows = std::move(rows)};
 }
 
-// The share of the image that each element fills, per area and solid angle.
-Vector camera_importance(const TransportMatrices& t, const std::vector<int>& visible) {
-  Vector importance(t.size(), 0.0);
-  for (const int element : visible)
-    if (element >= 0)
-      importance[static_cast<size_t>(element)] +=
-          1 / (static_cast<double>(visible.size()) * std::numbers::pi * t.area[static_cast<size_t>(element)]);
-  return importance;
+equations::Rows diagonal(const Vector& values) {
+  equations::Rows rows(values.size(), Vector(values.size(), 0.0));
+  for (size_t i = 0; i < values.size(); ++i) rows[i][i] = values[i];
+  return rows;
 }
 
 struct TransportOperators {
@@ -187,19 +71,38 @@ struct TransportOperators {
       .summary = "Propagation and scattering as matrices, four formulations of a measurement, importance, relighting",
       .source = "[Lang, eq. 5.40-5.61, 5.122-5.150]"};
 
-  Choice<OperatorScene> scene{"scene", "Scene", OperatorScene::cornell, "The scene that is divided into patches"};
+  Text scene{"scene",
+             "Scene",
+             "cornell",
+             "The scene that is divided into patches: furnace, a built-in scene, or a .gltf or .glb file",
+             check_operator_scene,
+             {{"cornell", "Cornell box"}, {"furnace", "Closed cube of albedo 0.75"}}};
   Number<int> patches{"patches", "Patches", 200, {20, 600}, "Approximate number of patches. Time grows with its cube"};
   Number<int> terms{"terms", "Terms", 40, {4, 200}, "Number of terms of the Neumann series"};
+  Number<int> eigenvectors{"eigenvectors", "Eigenvectors", 3, {1, 12}, "Number of eigenvectors that are shown"};
+  Number<int> pictures{"pictures", "Pictures of terms", 3, {0, 12}, "Number of terms of the series that are shown"};
+  Number<int> element{"element",
+                      "Element",
+                      -1,
+                      {-1, 4000},
+                      "Element whose light is shown, from both ends. -1: the one in the centre of the image"};
 
-  auto parameters() { return std::tie(scene, patches, terms); }
+  auto parameters() { return std::tie(scene, patches, terms, eigenvectors, pictures, element); }
 
   Result<ExperimentResult> run(const RunContext& context) const {
-    OperatorModel model = make_model();
-    if (!model.build(context, [](const Rgb& c) { return c.g; })) return interrupted();
+    const auto given = operator_scene(scene);
+    if (!given) return given.error();
+    auto made = OperatorModel::make(*given, patches);
+    if (!made) return made.error();
+    OperatorModel& model = *made;
+    if (auto ok = model.build(context); !ok) return ok.error();
     const TransportMatrices& t = model.matrices();
     const auto radiance = equations::exitant_radiance(t, model.emitted());
     if (!radiance) return radiance.error();
     ExperimentResult result;
+    if (model.has_external_lights())
+      result.notes.push_back(
+          "No surface emits light: the source is the light that surfaces reflect from other lights.");
     result.table.columns = {"quantity", "value"};
     add_row(result, "elements", static_cast<double>(t.size()));
     if (auto ok = add_measurements(model, result); !ok) return ok.error();
@@ -207,30 +110,28 @@ struct TransportOperators {
     add_series(model, *radiance, result);
     if (auto ok = add_relighting(model, result); !ok) return ok.error();
     if (auto ok = add_pictures(model, *radiance, result); !ok) return ok.error();
-    if (scene.value == OperatorScene::furnace)
+    add_eigenvectors(model, result);
+    if (scene.value == kFurnaceScene)
       result.checks.push_back({"radiance of the furnace", largest_of(*radiance), 1 / (1 - kFurnaceAlbedo), 1e-4});
     return result;
   }
 
  private:
-  OperatorModel make_model() const {
-    if (scene.value == OperatorScene::furnace)
-      return {scene::furnace(kFurnaceAlbedo), look_at({0.9f, 0.9f, 0.9f}, {0, 0, 0}, {0, 1, 0}, 1.2f), patches};
-    const scene::Scene built = scene::find_builtin("cornell")->make();
-    return {built, scene::placed_cameras(built).front(), patches};
-  }
-
   static void add_row(ExperimentResult& result, const char* name, double value) {
     result.table.rows.push_back({std::string(name), value});
   }
 
-  // The sensor is the element that faces the camera's image in its centre.
-  static Result<void> add_measurements(const OperatorModel& model, ExperimentResult& result) {
+  // The element of the centre of the image, or the selected one.
+  size_t shown_element(const OperatorModel& model) const {
+    const int centre = model.visible_elements()[kViewSize * kViewSize / 2 + kViewSize / 2];
+    const auto selected = static_cast<size_t>(std::max(element >= 0 ? int{element} : centre, 0));
+    return std::min(selected, model.matrices().size() - 1);
+  }
+
+  Result<void> add_measurements(const OperatorModel& model, ExperimentResult& result) const {
     const TransportMatrices& t = model.matrices();
-    const auto visible = model.visible_elements();
-    const int centre = visible[kViewSize * kViewSize / 2 + kViewSize / 2];
     Vector detector(t.size(), 0.0);
-    const auto sensor = static_cast<size_t>(std::max(centre, 0));
+    const size_t sensor = shown_element(model);
     detector[sensor] = 1 / (std::numbers::pi * t.area[sensor]);
     const auto m = equations::measurements(t, model.emitted(), detector);
     if (!m) return m.error();
@@ -284,10 +185,12 @@ struct TransportOperators {
                                                    .y_label = "radiance",
                                                    .curves = {term, rest, bound},
                                                    .logarithmic_y = true});
+    for (size_t n = 1; n < std::min(series.size(), static_cast<size_t>(pictures) + 1); ++n)
+      result.charts.push_back(model.picture("Term " + std::to_string(n) + " of the Neumann series", series[n]));
   }
 
   // Light from every other element instead of the scene's emitters.
-  static Result<void> add_relighting(const OperatorModel& model, ExperimentResult& result) {
+  Result<void> add_relighting(const OperatorModel& model, ExperimentResult& result) const {
     const TransportMatrices& t = model.matrices();
     auto solution = equations::solution_operator(t);
     const auto reflected = equations::global_reflectance(t);
@@ -307,14 +210,40 @@ struct TransportOperators {
       }
     result.checks.push_back({"asymmetry of the global reflectance", asymmetry / most, 0, 1e-10});
     result.charts.push_back(matrix("Propagation operator G", t.propagation));
+    result.charts.push_back(matrix("Scattering operator K", diagonal(t.reflectance)));
+    result.charts.push_back(matrix("Transport operator K G", equations::transport_operator(t)));
     result.charts.push_back(matrix("Global reflectance K (I - G K)^-1", *reflected));
+    // Light that arrives at the element, and its adjoint: where the reflected light of the element comes from.
+    const size_t shown = shown_element(model);
+    Vector answers(t.size()), sources(t.size());
+    for (size_t i = 0; i < t.size(); ++i) {
+      answers[i] = (*reflected)[i][shown];
+      sources[i] = (*reflected)[shown][i];
+    }
+    const std::string number = std::to_string(shown);
+    result.charts.push_back(model.picture("Light that reaches places by way of element " + number, answers));
+    result.charts.push_back(model.picture("Places whose incident light element " + number + " reflects", sources));
     return {};
+  }
+
+  // The eigenvalues are real, and T v = lambda v.
+  void add_eigenvectors(const OperatorModel& model, ExperimentResult& result) const {
+    const auto pairs = equations::leading_eigenpairs(model.matrices(), eigenvectors);
+    for (size_t k = 0; k < pairs.size(); ++k) {
+      const std::string name = "eigenvalue " + std::to_string(k + 1);
+      result.table.rows.push_back({name, pairs[k].value});
+      Vector scaled = pairs[k].vector;
+      for (double& v : scaled) v *= pairs[k].value;
+      result.checks.push_back(
+          {"residual of " + name,
+           relative_difference(equations::neumann_terms(model.matrices(), pairs[k].vector, 2)[1], scaled), 0, 1e-8});
+      result.charts.push_back(model.picture("Eigenvector " + std::to_string(k + 1), pairs[k].vector));
+    }
   }
 
   static Result<void> add_pictures(const OperatorModel& model, const Vector& radiance, ExperimentResult& result) {
     const TransportMatrices& t = model.matrices();
-    const auto visible = model.visible_elements();
-    const Vector source = camera_importance(t, visible);
+    const Vector source = model.camera_importance();
     const auto importance = equations::incident_importance(t, source);
     if (!importance) return importance.error();
     const double by_radiance = equations::inner_product(t, source, radiance);
@@ -324,10 +253,8 @@ struct TransportOperators {
         {"mean of the image by importance over that by radiance", by_importance / by_radiance, 1, 1e-10});
     Vector reflected = radiance;
     for (size_t i = 0; i < reflected.size(); ++i) reflected[i] -= model.emitted()[i];
-    result.charts.push_back(picture("Reflected radiance", visible, reflected));
-    result.charts.push_back(picture("Incident importance of the camera", visible, *importance));
-    result.charts.push_back(
-        picture("Eigenvector of the largest eigenvalue", visible, equations::leading_eigenvector(t)));
+    result.charts.push_back(model.picture("Reflected radiance", reflected));
+    result.charts.push_back(model.picture("Incident importance of the camera", *importance));
     return {};
   }
 };

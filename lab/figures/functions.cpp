@@ -3,6 +3,7 @@
 #include <memory>
 #include <numbers>
 
+#include "base/spherical_harmonics.h"
 #include "figures/tools.h"
 #include "geometry/mesh.h"
 #include "metrics/log_axis.h"
@@ -18,14 +19,6 @@ namespace {
 
 constexpr int kHighestDegree = 6;
 
-// The real spherical harmonic with m >= 0 [Lang, eq. 2.340-2.344].
-double spherical_harmonic(int l, int m, const Vec3& direction) {
-  const double theta = std::acos(std::clamp(static_cast<double>(direction.z), -1.0, 1.0));
-  const double phi = std::atan2(static_cast<double>(direction.y), static_cast<double>(direction.x));
-  const double y = std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), theta);
-  return m == 0 ? y : std::numbers::sqrt2 * y * std::cos(m * phi);
-}
-
 // The surface at the distance |Y| from the origin, where Y has this sign; its top points upwards (+y).
 std::shared_ptr<const Mesh> harmonic_mesh(int l, int m, bool positive) {
   constexpr int kRings = 96, kSectors = 192;
@@ -33,7 +26,7 @@ std::shared_ptr<const Mesh> harmonic_mesh(int l, int m, bool positive) {
   const auto vertex = [&](int ring, int sector) {
     const float theta = kPi * static_cast<float>(ring) / kRings, phi = 2 * kPi * static_cast<float>(sector) / kSectors;
     const Vec3 direction(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-    const double y = spherical_harmonic(l, m, direction);
+    const double y = real_harmonic(l, m, HarmonicDirection(direction));
     const auto radius = static_cast<float>(positive ? std::max(y, 0.0) : std::max(-y, 0.0));
     return radius * Vec3(direction.x, direction.z, direction.y);
   };

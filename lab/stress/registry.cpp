@@ -10,10 +10,12 @@
 #include "stress/cases/chains_in_two_places.h"
 #include "stress/cases/closed_room_of_albedo_one.h"
 #include "stress/cases/coincident_lights.h"
+#include "stress/cases/concave_patches.h"
 #include "stress/cases/depth_cut_off.h"
 #include "stress/cases/diffusion_in_a_thin_slab.h"
 #include "stress/cases/emitter_that_reflects.h"
 #include "stress/cases/far_from_the_origin.h"
+#include "stress/cases/form_factors_at_an_edge.h"
 #include "stress/cases/glossy_virtual_lights.h"
 #include "stress/cases/grazing_albedo.h"
 #include "stress/cases/grazing_light.h"
@@ -48,6 +50,10 @@
 #include "stress/cases/photons_too_few.h"
 #include "stress/cases/point_light_unseen.h"
 #include "stress/cases/point_on_the_light.h"
+#include "stress/cases/radiosity_light_leaks.h"
+#include "stress/cases/radiosity_reflectance_to_one.h"
+#include "stress/cases/radiosity_relaxation_factor.h"
+#include "stress/cases/radiosity_slivers.h"
 #include "stress/cases/reused_seeds.h"
 #include "stress/cases/room_that_makes_light.h"
 #include "stress/cases/roughness_at_its_ends.h"
@@ -131,6 +137,7 @@ const std::vector<Case>& cases() {
       kNarrowLobeAndSmallLight,
       kLightThatTouchesAWall,
       kRouletteBelowTheSquare,
+      kFormFactorsAtAnEdge,
       kShadowsIgnored,
       kManyLights,
       kEmitterThatReflects,
@@ -145,6 +152,7 @@ const std::vector<Case>& cases() {
       kPhotonsAtAnEdge,
       kPhotonsAtAShadow,
       kPhotonsOnABall,
+      kRadiosityLightLeaks,
       kSeedsAndPixels,
       kReusedSeeds,
       kLateDimensions,
@@ -166,6 +174,8 @@ const std::vector<Case>& cases() {
       kThirtyStops,
       kLensOfNoSize,
       kShutterOfNoTime,
+      kRadiosityReflectanceToOne,
+      kRadiosityRelaxationFactor,
       kAllScales,
       kFarFromTheOrigin,
       kSlivers,
@@ -178,6 +188,8 @@ const std::vector<Case>& cases() {
       kTrianglesWithoutArea,
       kGrazingLight,
       kPointOnTheLight,
+      kRadiositySlivers,
+      kConcavePatches,
       kGrazingAlbedo,
       kModelsThatMakeLight,
       kRoomThatMakesLight,

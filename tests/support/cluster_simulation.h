@@ -1,7 +1,7 @@
 // Simulation of renderings on many ranks: the real schedule, with a clock and a network that are computed.
 //
-// Rank 0 receives results one after the other over one link, and adds them to its film one after the other. Ranks that
-// die do not answer any more.
+// Rank 0 and each collector receive results one after the other over one link, and add them one after the other. Ranks
+// that die do not answer any more.
 #pragma once
 #include <cstdint>
 
@@ -18,7 +18,7 @@ struct SimulatedJob {
   double lifetime = 0;            // mean time until a rank dies, in seconds; 0: none dies. Rank 0 never does
   double damaged_results = 0;     // probability
   double bytes_per_result = 0;
-  double bytes_per_second = 1.25e9;  // of the link to rank 0
+  double bytes_per_second = 1.25e9;  // of the link of each rank that receives results
   double merge_seconds = 0;          // of one result
   double latency = 1e-3;             // seconds of a message
   cluster::ScheduleOptions options = {};
@@ -35,7 +35,8 @@ struct SimulatedRun {
   double bytes = 0;      // received by rank 0
   uint32_t results = 0, repeated = 0, damaged = 0;
   uint32_t merged_samples = 0;  // of all results that were added to the film
-  int dead_ranks = 0;
+  int dead_ranks = 0, collectors = 0;
+  uint32_t retired_collectors = 0;
 };
 
 SimulatedRun simulate(const SimulatedJob& job);

@@ -37,6 +37,32 @@ TEST_F(AovInViewport, TermsOfMediaSumToTheImage) {
   EXPECT_GT(mean(terms[2]), 0.02 * expected);
 }
 
+// Layers of light paths, each with its own few samples.
+TEST_F(AovInViewport, BouncesSumToTheImage) {
+  json steps = joined(small(16), json::array({file_step("image", path("image.exr"))}));
+  const std::string layers[] = {"emission", "direct", "indirect"};
+  for (const std::string& layer : layers) {
+    steps.push_back(set("view.aov", layer));
+    steps.push_back({{"do", "wait"}, {"for", "aov"}});
+    steps.push_back(file_step("state", path(layer + ".json")));
+  }
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  double sum = 0;
+  for (const std::string& layer : layers) {
+    const json aov = state(layer + ".json")["aov"];
+    EXPECT_EQ(aov["name"], layer);
+    EXPECT_GT(aov["mean_luminance"].get<double>(), 0) << layer;
+    sum += aov["mean_luminance"].get<double>();
+  }
+  const auto image = saved_image("image.exr");
+  const auto& pixels = image.layers.at(0).pixels;
+  double expected = 0;
+  for (size_t i = 0; i + 2 < pixels.size(); i += 3)
+    expected += 0.2126 * double{pixels[i]} + 0.7152 * double{pixels[i + 1]} + 0.0722 * double{pixels[i + 2]};
+  expected /= static_cast<double>(pixels.size()) / 3;
+  EXPECT_NEAR(sum, expected, 0.2 * expected);
+}
+
 // A scene without media has no such terms.
 TEST_F(AovInViewport, TermsOfMediaAreForScenesWithMedia) {
   EXPECT_EQ(run(joined(small(1), json::array({set("view.aov", "medium-surface")})), "cornell"), 1);

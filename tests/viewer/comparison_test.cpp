@@ -26,9 +26,8 @@ TEST(DifferenceText, ShowsSignAndDigits) {
   auto mixed = std::vector<Rgb>(16, Rgb(1));
   mixed[0] = Rgb(2);
   mixed[1] = Rgb(0);
-  const viewer::DifferenceInput input{.mode = CompareMode::difference,
-                                      .left = std::make_shared<const std::vector<Rgb>>(mixed),
-                                      .right = image(1)};
+  const viewer::DifferenceInput input{
+      .mode = CompareMode::difference, .left = std::make_shared<const std::vector<Rgb>>(mixed), .right = image(1)};
   EXPECT_EQ(viewer::difference_text(*make_difference_map(input, 4, 4)), "mean 0, RMS 0.3536");
 }
 
@@ -41,7 +40,14 @@ TEST(ComparisonProblem, AMissingImageIsNotCompared) {
   EXPECT_TRUE(comparison.is_active());
   comparison.live.unavailable = "no light can reach a pinhole";
   EXPECT_FALSE(comparison.is_active());
-  EXPECT_EQ(comparison.problem(), "A has no image: no light can reach a pinhole");
+  EXPECT_EQ(comparison.problem(), "A: n/a. a: no light can reach a pinhole");
+  comparison.live.unavailable.clear();
+  comparison.a = {.name = "light-pure",
+                  .label = "Pure light tracing",
+                  .frame = nullptr,
+                  .unavailable = "no light can reach a pinhole"};
+  EXPECT_EQ(comparison.first().name, "light-pure") << "the live image does not stand in for it";
+  EXPECT_EQ(comparison.problem(), "A: n/a. Pure light tracing: no light can reach a pinhole");
 }
 
 // Hides the interface and makes a screenshot.

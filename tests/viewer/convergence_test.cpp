@@ -46,7 +46,9 @@ TEST_F(ConvergencePanel, TableShowsTheEndOfTheCurveInTheChosenMeasure) {
                             set("compare.axis", "samples"), click("compare.start"), kAtRest,
                             file_step("state", path("rmse.json")), set("compare.error", "relative"),
                             file_step("state", path("relative.json")), file_step("screenshot", path("chart.png"))}));
-  const auto all = joined(steps, exported("a.csv"));
+  const json compare_missing =
+      json::array({click("compare.a.2"), click("compare.difference"), file_step("state", path("missing.json"))});
+  const auto all = joined(joined(steps, exported("a.csv")), compare_missing);
   ASSERT_EQ(run(all), 0);
   const auto rmse = state("rmse.json")["contest"]["methods"], relative = state("relative.json")["contest"]["methods"];
   ASSERT_EQ(rmse.size(), 3u);
@@ -54,6 +56,9 @@ TEST_F(ConvergencePanel, TableShowsTheEndOfTheCurveInTheChosenMeasure) {
   EXPECT_NE(rmse[2]["incompatibility"], "");
   EXPECT_TRUE(rmse[2]["error"].is_null());
   EXPECT_EQ(rmse[2]["repeats"], 0);
+  const json comparison = state("missing.json")["comparison"];
+  EXPECT_EQ(comparison["a"].get<std::string>().substr(0, 10), "light-pure") << "the live image does not stand in";
+  EXPECT_EQ(comparison["problem"].get<std::string>().substr(0, 6), "A: n/a");
   for (size_t m = 0; m < 2; ++m) {
     EXPECT_EQ(rmse[m]["repeats"], 3);
     // The errors of all repeats at 8 samples per pixel.

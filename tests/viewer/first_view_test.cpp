@@ -61,6 +61,33 @@ TEST_F(FirstView, TheExposureSuitsABrightScene) {
   EXPECT_EQ(state("s.json")["parameters"]["camera.exposure"], 0);
 }
 
+// Mirrors that a point light illuminates: there is no light in them at any exposure.
+TEST_F(FirstView, TheStudioIsAddedWhereTheLightsLeaveSurfacesBlack) {
+  render::Document d = *render::new_document("cornell");
+  auto scene = *d.scene;
+  for (auto& material : scene.materials) {
+    material.emission = Rgb(0);
+    material.metallic = 1;
+    material.roughness = 0;
+  }
+  scene.lights.push_back(make_light("point"));
+  scene.nodes.front().light = static_cast<int>(scene.lights.size()) - 1;
+  const std::string file = path("dark.glb");
+  ASSERT_TRUE(scene::save_gltf(scene, file));
+  const json steps = json::array({{{"do", "wait"}, {"spp", 8}},
+                                  {{"do", "wait"}, {"seconds", 0.5}},
+                                  {{"do", "wait"}, {"spp", 8}},
+                                  file_step("state", path("s.json"))});
+  ASSERT_EQ(run(steps, file), 0);
+  const json s = state("s.json");
+  EXPECT_EQ(s["parameters"]["environment.preset"], "studio");
+  EXPECT_EQ(s["undo_depth"], 0);
+  EXPECT_EQ(s["edited"], false);
+  ASSERT_EQ(run(steps, cornell_with_light(0.1f)), 0);
+  EXPECT_NE(state("s.json")["parameters"]["environment.preset"], "studio") << "an exposure shows a weak light";
+  EXPECT_GT(state("s.json")["parameters"]["camera.exposure"].get<double>(), 0);
+}
+
 TEST_F(FirstView, AnEditOfTheUserEndsTheAdjustments) {
   ASSERT_EQ(run(json::array({set("camera.exposure", 1),
                              {{"do", "wait"}, {"spp", 8}},

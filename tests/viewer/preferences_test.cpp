@@ -1,4 +1,8 @@
 // Preferences, the command palette, the filter of panels, and messages.
+#include <algorithm>
+
+#include "render/document.h"
+#include "scene/scene.h"
 #include "scripted.h"
 #include "viewer/state/notices.h"
 
@@ -82,6 +86,50 @@ TEST_F(Viewer, PaletteFindsParametersAndValues) {
             0);
   EXPECT_EQ(state("value.json")["parameters"]["display.curve"], "neutral");
   EXPECT_EQ(state("parameter.json")["tab"], "tab.camera");
+}
+
+// Arrow keys scroll the selected entry into view.
+TEST_F(Viewer, ThePaletteShowsTheSelectedEntry) {
+  json steps = json::array({key("ctrl+k"), {{"do", "wait"}, {"seconds", 0.2}}});
+  for (int i = 0; i < 60; ++i) steps.push_back(key("down"));
+  ASSERT_EQ(run(joined(steps, json::array(
+                                  {file_step("state", path("s.json")), file_step("screenshot", path("palette.png"))}))),
+            0);
+  EXPECT_EQ(state("s.json")["palette_selection_is_visible"], true);
+}
+
+// A node is shown if its name or a descendant's contains the filter.
+TEST_F(Viewer, FilterHidesOtherObjects) {
+  const auto document = render::new_document("cornell");
+  const auto& nodes = document->scene->nodes;
+  const auto tall = std::ranges::find(nodes, "tall box", &scene::Node::name) - nodes.begin();
+  ASSERT_LT(tall, std::ssize(nodes));
+  const auto click_box = [&](const std::string& filter) {
+    return json::array({click("tab.scene"), set("layout.filter", filter), click("scene.node." + std::to_string(tall))});
+  };
+  EXPECT_EQ(run(click_box("TALL")), 0);
+  EXPECT_NE(run(click_box("short")), 0) << "a hidden object cannot be clicked";
+}
+
+TEST_F(Viewer, FilterOfMessages) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
+                             click("compare.pin"),
+                             click("panel.messages"),
+                             set("messages.filter", "\u017blah"),
+                             file_step("screenshot", path("messages.png"))})),
+            0);
+}
+
+// The button in the message leads to the parameter that is to be changed.
+TEST_F(Viewer, TheReasonForABlackImageLeadsToItsParameter) {
+  ASSERT_EQ(run(json::array({set("render.integrator", "light-pure"),
+                             {{"do", "wait"}, {"seconds", 0.5}},
+                             file_step("screenshot", path("reason.png")),
+                             click("incompatibility.camera.lens-radius"),
+                             {{"do", "wait"}, {"seconds", 0.2}},
+                             file_step("state", path("s.json"))})),
+            0);
+  EXPECT_EQ(state("s.json")["tab"], "tab.camera");
 }
 
 TEST_F(Viewer, FilterHidesOtherParameters) {

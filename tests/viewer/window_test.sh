@@ -12,7 +12,7 @@ if [ -z "${ETENDUE_WINDOW_TEST:-}" ]; then
 fi
 folder=$(mktemp -d)
 trap 'kill "${viewer:-}" 2>/dev/null || true; rm -rf "$folder"' EXIT
-export XDG_CONFIG_HOME=$folder XDG_STATE_HOME=$folder XDG_DATA_HOME=$folder XDG_CACHE_HOME=$folder
+export HOME=$folder XDG_CONFIG_HOME=$folder XDG_STATE_HOME=$folder XDG_DATA_HOME=$folder XDG_CACHE_HOME=$folder
 cd "$folder"
 
 "$etendue" cornell & viewer=$!
@@ -25,7 +25,7 @@ sleep 0.3
 xdotool key --window 0 3
 sleep 1
 xdotool key --window 0 F12
-for _ in $(seq 50); do compgen -G "*.exr" >/dev/null && break; sleep 0.1; done
+for _ in $(seq 50); do [ -n "$(find . -name '*.exr')" ] && break; sleep 0.1; done
 sleep 0.3
 xdotool key --window 0 ctrl+q
 for _ in $(seq 100); do kill -0 "$viewer" 2>/dev/null || break; sleep 0.1; done
@@ -33,7 +33,7 @@ if kill -0 "$viewer" 2>/dev/null; then echo "the window is still open" >&2; exit
 wait "$viewer"
 viewer=
 
-snapshot=$(compgen -G "*.exr" | head -1)
+snapshot=$(find . -name '*.exr' | head -1)
 "$etendue" render --like "$snapshot" --spp 1 --size 32x32 -o again.exr --json stats.json
 grep -q '"integrator": *"path-pure"' stats.json
 # The camera went round: its state is not the built-in one.

@@ -31,25 +31,38 @@ std::string snapshot_name(const AppState& state) {
   return scene_stem(state.document()) + "-" + stamp;
 }
 
-void save_snapshot(AppState& state) {
-  const auto& settings = state.settings;
-  const std::filesystem::path folder = settings.snapshot_folder.empty() ? settings.folder : settings.snapshot_folder;
-  state.files.image_export->request((folder / (snapshot_name(state) + ".exr")).string());
-}
-
-void request_open(AppState& state, std::string title, std::vector<std::string> extensions) {
-  state.files.request = FileRequest{.title = std::move(title),
-                                    .extensions = std::move(extensions),
-                                    .accept = [&state](const std::string& file) { state.open_file(file); }};
-}
-
 void request_image_export(AppState& state) {
+  std::vector<std::string> extensions, formats;
+  for (const image::ImageFormat* format : image::image_formats())
+    if (format->can_write()) {
+      extensions.emplace_back(format->extensions.front());
+      formats.emplace_back(format->label);
+    }
   state.files.request =
-      FileRequest{.title = "Export image (.exr, .hdr, .png, .tif, ...)",
-                  .extensions = {".exr", ".hdr", ".png"},
+      FileRequest{.title = "Export image",
+                  .extensions = std::move(extensions),
+                  .formats = std::move(formats),
                   .saves = true,
                   .name = snapshot_name(state) + ".png",
                   .accept = [&state](const std::string& file) { state.files.image_export->request(file); }};
+}
+
+// Asks for a file name only if there is no folder for snapshots.
+void save_snapshot(AppState& state) {
+  const std::string& chosen = state.settings.snapshot_folder;
+  const std::filesystem::path folder = chosen.empty() ? default_snapshot_folder() : std::filesystem::path(chosen);
+  if (folder.empty()) return request_image_export(state);
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) return state.notices.add_error(folder.string() + ": cannot be created: " + code.message());
+  state.files.image_export->request((folder / (snapshot_name(state) + ".exr")).string());
+}
+
+void request_open(AppState& state, std::string title, std::vector<std::string> extensions, std::string folder) {
+  state.files.request = FileRequest{.title = std::move(title),
+                                    .extensions = std::move(extensions),
+                                    .folder = std::move(folder),
+                                    .accept = [&state](const std::string& file) { state.open_file(file); }};
 }
 
 void request_scene_export(AppState& state) {
@@ -69,11 +82,13 @@ void add_open_actions(ActionList& actions) {
                .shortcut = "ctrl+o",
                .run =
                    [](AppState& state) {
-                     request_open(
-                         state,
-                         "Open a scene (.gltf, .glb), a session (.etendue), a snapshot (.exr) or an environment map "
-                         "(.exr, .hdr)",
-                         {".gltf", ".glb", ".etendue", ".exr", ".hdr"});
+                     std::vector<std::string> extensions{".gltf", ".glb", ".etendue"};
+                     for (std::string& extension : image::readable_extensions())
+                       extensions.push_back(std::move(extension));
+                     request_open(state,
+                                  "Open a scene (.gltf, .glb), a session (.etendue), a snapshot (.exr), or an image as "
+                                  "environment map",
+                                  std::move(extensions), state.settings.scene_folder);
                    },
                .section = kOpenSection});
   actions.add({.name = "file.reload",
@@ -104,7 +119,7 @@ void add_open_actions(ActionList& actions) {
                .run =
                    [](AppState& state) {
                      request_open(state, "Load an environment map (.hdr, .exr or another image format)",
-                                  image::readable_extensions());
+                                  image::readable_extensions(), state.settings.environment_folder);
                    },
                .enabled = has_document,
                .section = kOpenSection,
@@ -143,20 +158,20 @@ void add_file_actions(ActionList& actions) {
                .run = [](AppState& state) { state.save_session_as(); },
                .enabled = has_document,
                .section = kSaveSection});
-  actions.add(
-      {.name = "snapshot.save",
-       .menu = "File",
-       .label = "Save snapshot",
-       .tooltip =
-           "Saves image, scene reference and all parameters as .exr. Drop the file on the window to restore everything",
-       .shortcut = "f12",
-       .run = save_snapshot,
-       .enabled = has_document,
-       .section = kSaveSection});
+  actions.add({.name = "snapshot.save",
+               .menu = "File",
+               .label = "Save snapshot",
+               .tooltip = "Saves image, scene reference and all parameters as .exr in the folder for snapshots "
+                          "(Preferences). Drop the "
+                          "file on the window to restore everything",
+               .shortcut = "f12",
+               .run = save_snapshot,
+               .enabled = has_document,
+               .section = kSaveSection});
   actions.add({.name = "snapshot.save-as",
                .menu = "File",
                .label = "Export image...",
-               .tooltip = "Saves the image: .exr with all parameters, .hdr with radiance, .png as displayed",
+               .tooltip = "Saves the image: .exr with all parameters, .hdr with radiance, .png and others as displayed",
                .shortcut = "ctrl+e",
                .run = request_image_export,
                .enabled = has_document,

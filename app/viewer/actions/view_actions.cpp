@@ -78,6 +78,14 @@ void add_framing_actions(ActionList& actions) {
                .run = frame_selection,
                .enabled = has_document,
                .section = "framing"});
+  actions.add({.name = "view.reset-camera",
+               .menu = "View",
+               .label = "Reset camera",
+               .tooltip = "Uses the camera of the file again, or a view of the scene if that camera sees nothing",
+               .shortcut = "shift+home",
+               .run = reset_view,
+               .enabled = has_document,
+               .section = "framing"});
   actions.add({.name = "view.fit",
                .menu = "View",
                .label = "Fit image to viewport",

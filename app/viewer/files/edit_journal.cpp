@@ -80,7 +80,11 @@ EditJournal::~EditJournal() {
 
 void EditJournal::update(const Editor& editor) {
   if (lock_ < 0 || editor.empty()) return;
-  task_->take_result();
+  if (const auto written = task_->take_result()) {
+    const bool failed = !*written;
+    if (failed && !has_failed_) problem_ = written->error().message;
+    has_failed_ = failed;
+  }
   if (task_->running()) return;
   if (!editor.has_unsaved_changes()) {
     std::error_code code;
@@ -92,7 +96,7 @@ void EditJournal::update(const Editor& editor) {
   if (editor.revision() == written_revision_ || now - last_write_ < kMinInterval) return;
   written_revision_ = editor.revision();
   last_write_ = now;
-  // A failed write is repeated after the next change; the user is not interrupted.
+  // A failed write is repeated after the next change.
   task_->start([file = file_.string(), document = editor.document()] { return write_session_file(file, document); },
                [] {});
 }

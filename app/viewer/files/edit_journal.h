@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -36,6 +37,9 @@ class EditJournal {
   // everything is saved.
   void update(const Editor& editor);
 
+  // Why changes cannot be written to the journal; once, until a write succeeds.
+  std::optional<std::string> take_problem() { return std::exchange(problem_, std::nullopt); }
+
   // The journals in the folder that no running viewer uses, newest first.
   std::vector<LostSession> lost_sessions() const;
   // Makes the journal of a lost session the one of this viewer.
@@ -48,6 +52,8 @@ class EditJournal {
   std::filesystem::path lock_file_;
   int lock_ = -1;                  // file descriptor
   uint64_t written_revision_ = 0;  // 0: there is no journal
+  bool has_failed_ = false;        // the last write
+  std::optional<std::string> problem_;
   std::chrono::steady_clock::time_point last_write_{};
   std::optional<BackgroundTask<Result<void>>> task_{std::in_place};
 };

@@ -9,8 +9,11 @@ namespace etendue::viewer {
 struct FileRequest {
   std::string title;
   std::vector<std::string> extensions;  // of the files that are listed, with their dots
-  bool saves = false;                   // names that do not exist yet are accepted
-  std::string name{};                   // proposed name
+  // What a saved file can be, "PNG" for ".png"; one for each extension, or none. The user can choose among them.
+  std::vector<std::string> formats{};
+  bool saves = false;    // names that do not exist yet are accepted
+  std::string name{};    // proposed name
+  std::string folder{};  // that is shown first; empty: the folder of the last file
   std::function<void(const std::string& path)> accept;
 };
 

@@ -29,8 +29,7 @@ Result<std::string> write(const std::string& file, render::Session& session, con
   const film::Film film = session.film_copy();
   auto displayed = session.reweighted_copy();
   const render::Status status = session.status();
-  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
-                                           status.reliability ? status.reliability->tail.khat : std::nullopt};
+  const advisor::RenderStatistics evidence = advisor::statistics_of(film, status, session.model(), 0);
   // If the document was edited before the copy, the film belongs to other settings.
   if (session.status().version != version) return std::string();
   const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),

@@ -15,6 +15,7 @@ namespace etendue::viewer {
 namespace {
 
 constexpr size_t kMaxShown = 200;
+constexpr const char* kSelectedItem = "palette.selected";
 
 // Whether the text contains all words.
 bool matches(const std::string& searched, const std::vector<std::string>& words) {
@@ -28,27 +29,31 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-// One line of the list: label, menu or section, and shortcut or value. Returns true if it was clicked.
-bool draw_entry(AppState& state, const PaletteEntry& entry, bool is_selected) {
-  const float em = ImGui::GetFontSize();
+// One line of the list: label, menu or section, and shortcut or value. Texts that do not fit are shortened; the tooltip
+// has them in full. Returns true if it was clicked.
+bool draw_entry(AppState& state, const PaletteEntry& entry, bool is_selected, bool scroll_to) {
   ImGui::PushID(entry.name.c_str());
-  const float left = ImGui::GetCursorPosX();
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   const bool clicked = ImGui::Selectable("##entry", is_selected);
   state.ui.items.add("palette." + entry.name);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, entry.tooltip + "\n" + entry.name);
+  if (is_selected) state.ui.items.add(kSelectedItem);
+  if (scroll_to) ImGui::SetScrollHereY();
+  if (ImGui::IsItemHovered()) {
+    const std::string keys = entry.keys.empty() ? "" : ": " + entry.keys;
+    tooltip(state.ui, entry.place + " > " + entry.label + keys + "\n" + entry.tooltip + "\n" + entry.name);
+  }
   const auto column = [&](float start, float end, const std::string& text, bool is_secondary) {
-    ImGui::SameLine(left + em * start);
-    ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(corner, {corner.x + em * (end - start - 0.5f), corner.y + ImGui::GetTextLineHeight()}, true);
+    constexpr float kGap = 0.5f;  // font sizes
+    ImGui::SameLine(left + width * start);
+    const std::string shown = shortened(text, width * (end - start) - ImGui::GetFontSize() * kGap);
     if (is_secondary)
-      ImGui::TextDisabled("%s", text.c_str());
+      ImGui::TextDisabled("%s", shown.c_str());
     else
-      ImGui::TextUnformatted(text.c_str());
-    ImGui::PopClipRect();
+      ImGui::TextUnformatted(shown.c_str());
   };
-  column(0, 18, entry.label, false);
-  column(18, 25, entry.place, true);
-  column(25, 34, entry.keys, true);
+  column(0, 0.5f, entry.label, false);
+  column(0.5f, 0.75f, entry.place, true);
+  column(0.75f, 1, entry.keys, true);
   ImGui::PopID();
   return clicked;
 }
@@ -96,12 +101,13 @@ void CommandPalette::draw(AppState& state) {
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) selected_ = 0;
   const auto found = matching();
+  const size_t before = selected_;
   if (key_pressed(ImGuiKey_DownArrow) && selected_ + 1 < found.size()) ++selected_;
   if (key_pressed(ImGuiKey_UpArrow) && selected_ > 0) --selected_;
   const PaletteEntry* chosen = entered && selected_ < found.size() ? found[selected_] : nullptr;
   ImGui::BeginChild("##found");
   for (size_t i = 0; i < found.size(); ++i)
-    if (draw_entry(state, *found[i], i == selected_)) chosen = found[i];
+    if (draw_entry(state, *found[i], i == selected_, i == selected_ && selected_ != before)) chosen = found[i];
   if (found.empty()) ImGui::TextDisabled("No matching command");
   ImGui::EndChild();
   if (chosen || key_pressed(ImGuiKey_Escape)) {

@@ -21,7 +21,7 @@ namespace etendue::viewer {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float kPlacesWidth = 10, kPreviewWidth = 12;  // font sizes
+constexpr float kPlacesWidth = 10, kPreviewWidth = 12, kFormatWidth = 14;  // font sizes
 
 int64_t change_time(const fs::directory_entry& entry) {
   std::error_code code;
@@ -53,10 +53,12 @@ std::string size_text(uintmax_t bytes) {
 
 void FileDialog::open(const AppState& state) {
   const FileRequest& request = *state.files.request;
-  const fs::path folder = state.settings.folder;
   std::error_code code;
+  const bool has_folder = fs::is_directory(request.folder, code);
+  const fs::path folder = has_folder ? request.folder : state.settings.folder;
   saves_ = request.saves;
   extensions_ = request.extensions;
+  formats_ = request.formats;
   filter_.clear();
   enter_folder(fs::is_directory(folder, code) ? folder : fs::current_path(code));
   find_places(state);
@@ -87,6 +89,15 @@ void FileDialog::read_folder() {
   }
   if (code) problem_ = folder_.string() + ": " + code.message();
   sort_entries();
+  has_new_entries_ = true;
+}
+
+void FileDialog::add_glyphs(AppState& state) {
+  if (!std::exchange(has_new_entries_, false)) return;
+  GlyphSet& glyphs = state.ui.glyphs;
+  glyphs.add(folder_.string());
+  for (const Place& place : places_) glyphs.add(place.label);
+  for (const Entry& entry : entries_) glyphs.add(entry.name);
 }
 
 // Home, the folder in which the program was started, and the folders of recent files.
@@ -101,7 +112,10 @@ void FileDialog::find_places(const AppState& state) {
   };
   if (const char* home = std::getenv("HOME")) add(home, "Home");
   add(fs::current_path(code), "Working folder");
-  add(state.settings.snapshot_folder, "Snapshots");
+  const std::string& snapshots = state.settings.snapshot_folder;
+  add(snapshots.empty() ? default_snapshot_folder() : fs::path(snapshots), "Snapshots");
+  add(state.settings.scene_folder, "Scenes");
+  add(state.settings.environment_folder, "Environments");
   for (const std::string& file : state.settings.recent)
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) add(folder, folder.filename().string());
   add("/", "File system");
@@ -158,6 +172,21 @@ void FileDialog::draw_places(AppState& state) {
   if (!target.empty()) enter_folder(target);
 }
 
+void FileDialog::draw_formats(AppState& state) {
+  const std::string current = lower_extension(name_);
+  const auto label = [&](size_t i) { return formats_[i] + " (" + extensions_[i] + ")"; };
+  const auto selected = static_cast<size_t>(std::ranges::find(extensions_, current) - extensions_.begin());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##format", selected < formats_.size() ? label(selected).c_str() : "Format")) {
+    for (size_t i = 0; i < formats_.size(); ++i) {
+      if (ImGui::Selectable(label(i).c_str(), i == selected)) name_ = fs::path(name_).replace_extension(extensions_[i]);
+      state.ui.items.add("files.format." + extensions_[i].substr(1));
+    }
+    ImGui::EndCombo();
+  }
+  state.ui.items.add("files.format");
+}
+
 bool FileDialog::draw_entry(AppState& state, const Entry& entry) {
   bool accepted = false;
   ImGui::TableNextRow();
@@ -192,8 +221,7 @@ bool FileDialog::draw_list(AppState& state) {
     specs->SpecsDirty = false;
     sort_entries();
   }
-  const std::string searched = lower_case(filter_);
-  const auto is_shown = [&](const Entry& e) { return lower_case(e.name).find(searched) != std::string::npos; };
+  const auto is_shown = [&](const Entry& e) { return contains_ignoring_case(e.name, filter_); };
   bool any = false;
   for (const Entry& entry : entries_) {
     if (!is_shown(entry)) continue;
@@ -228,6 +256,7 @@ void FileDialog::draw_preview(AppState& state) {
 void FileDialog::draw(AppState& state) {
   if (!state.files.request) return;
   if (!is_open_) open(state);
+  add_glyphs(state);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize(), line = ImGui::GetFrameHeightWithSpacing();
   const ImVec2 size(std::min(screen.x * 0.94f, em * 54), std::min(screen.y * 0.9f, line * 22));
@@ -252,13 +281,18 @@ void FileDialog::draw(AppState& state) {
     draw_preview(state);
     ImGui::EndChild();
   }
-  ImGui::SetNextItemWidth(-1);
+  const bool has_formats = !formats_.empty();
+  ImGui::SetNextItemWidth(has_formats ? -em * kFormatWidth : -1);
   if (ImGui::InputTextWithHint("##name", "File name or path", &name_, ImGuiInputTextFlags_EnterReturnsTrue))
     accepted = true;
   ui.items.add("files.name");
   if (const auto name = ui.items.take_request("files.name")) {
     name_ = *name;
     ui.items.answer("");
+  }
+  if (has_formats) {
+    ImGui::SameLine();
+    draw_formats(state);
   }
   const bool replaces = saves_ && !replaced_file_.empty() && replaced_file_ == selected_path().string();
   const char* label = !saves_ ? "Open" : replaces ? "Replace" : "Save";
@@ -289,9 +323,7 @@ void FileDialog::draw(AppState& state) {
   if (callback) callback(path);
 }
 
-fs::path FileDialog::selected_path() const {
-  return fs::path(name_).is_absolute() ? fs::path(name_) : folder_ / name_;
-}
+fs::path FileDialog::selected_path() const { return fs::path(name_).is_absolute() ? fs::path(name_) : folder_ / name_; }
 
 bool FileDialog::accept(AppState& state) {
   const fs::path path = selected_path();

@@ -33,9 +33,13 @@ class FileDialog {
   void enter_folder(const std::filesystem::path& folder);
   void read_folder();
   void find_places(const AppState& state);
+  // Lets the fonts have the characters of all names in the folder.
+  void add_glyphs(AppState& state);
   void sort_entries();
 
   void draw_path(AppState& state);
+  // The list of formats of a saved file, which changes the extension of the name.
+  void draw_formats(AppState& state);
   void draw_places(AppState& state);
   // Returns true if a file was double-clicked.
   bool draw_list(AppState& state);
@@ -48,7 +52,7 @@ class FileDialog {
 
   bool is_open_ = false;
   bool saves_ = false;
-  std::vector<std::string> extensions_;
+  std::vector<std::string> extensions_, formats_;
   std::string name_;
   std::string filter_;
   std::string problem_;
@@ -56,6 +60,7 @@ class FileDialog {
   std::filesystem::path folder_;
   std::vector<Place> places_;
   std::vector<Entry> entries_;
+  bool has_new_entries_ = false;
   int sort_column_ = 0;  // name, change, size
   bool sort_descending_ = false;
   Thumbnails texture_;

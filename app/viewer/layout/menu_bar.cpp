@@ -56,7 +56,9 @@ void draw_entries(AppState& state, std::span<const Action* const> entries) {
     if (first.name == "file.open") draw_recent_files(state);
     return;
   }
-  if (!ImGui::BeginMenu(first.submenu.c_str())) return;
+  const bool open = ImGui::BeginMenu(first.submenu.c_str());
+  state.ui.items.add("submenu." + lower_case(first.submenu));
+  if (!open) return;
   for (const Action* action : entries) action_menu_item(state, *action);
   ImGui::EndMenu();
 }

@@ -24,14 +24,6 @@ std::string section_label(const render::Document& document, const std::string& s
   return label.empty() ? section : label;
 }
 
-// Shows the widget of a parameter.
-void show_parameter(AppState& state, const std::string& name) {
-  if (!state.panels.reveal_parameter(state, name)) return;
-  state.interface.visible = true;
-  state.interface.panel_filter.clear();
-  state.ui.items.point_out(name);
-}
-
 void add_actions(const AppState& state, std::vector<PaletteEntry>& entries) {
   for (const Action& action : state.actions.all()) {
     if (!action.is_enabled(state)) continue;
@@ -58,7 +50,7 @@ void add_parameter(const render::DocumentParameter& parameter, const std::string
                      .place = place,
                      .keys = short_value(info.default_value),
                      .tooltip = info.doc,
-                     .run = [name = info.name](AppState& s) { show_parameter(s, name); }});
+                     .run = [name = info.name](AppState& s) { s.show_parameter(name); }});
 }
 
 void add_options(const render::DocumentParameter& parameter, const std::string& place,

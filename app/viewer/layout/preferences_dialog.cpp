@@ -29,15 +29,34 @@ void preference_widgets(AppState& state, const std::vector<ParameterInfo>& param
   }
 }
 
-void draw_files(AppState& state) {
-  std::string& folder = state.settings.snapshot_folder;
-  label_column("Snapshot folder");
-  ImGui::InputTextWithHint("##folder", "Folder of the file that was opened last", &folder);
+// A field for a folder; `fallback` is used while it is empty.
+void draw_folder(AppState& state, const char* label, const char* item, const std::string& fallback,
+                 const char* tooltip_text, std::string& folder) {
+  ImGui::PushID(item);
+  label_column(label);
+  ImGui::InputTextWithHint("##folder", fallback.c_str(), &folder);
   if (ImGui::IsItemDeactivatedAfterEdit()) state.store_settings();
-  state.ui.items.add("preferences.snapshot-folder");
-  if (ImGui::IsItemHovered()) tooltip(state.ui, "Where Save snapshot writes its images");
+  state.ui.items.add(item);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, tooltip_text);
+  if (const auto text = state.ui.items.take_request(item)) {
+    folder = *text;
+    state.store_settings();
+    state.ui.items.answer("");
+  }
   std::error_code code;
   if (!folder.empty() && !std::filesystem::is_directory(folder, code)) warning(state.ui, "This folder does not exist.");
+  ImGui::PopID();
+}
+
+void draw_files(AppState& state) {
+  Settings& settings = state.settings;
+  const std::string last = "Folder of the last file";
+  draw_folder(state, "Snapshots", "preferences.snapshot-folder", default_snapshot_folder().string(),
+              "Folder to which Save snapshot writes its images", settings.snapshot_folder);
+  draw_folder(state, "Scenes", "preferences.scene-folder", last, "Folder in which the dialog for opening scenes starts",
+              settings.scene_folder);
+  draw_folder(state, "Environments", "preferences.environment-folder", last,
+              "Folder in which the dialog for environment maps starts", settings.environment_folder);
   ImGui::BeginDisabled(state.settings.recent.empty());
   if (ImGui::Button("Clear recent files")) {
     state.settings.recent.clear();

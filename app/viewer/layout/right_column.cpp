@@ -40,7 +40,7 @@ void draw_filter(AppState& state) {
   const bool has_text = !filter.empty();
   const float button_width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(has_text ? -button_width - ImGui::GetStyle().ItemSpacing.x : -1);
-  ImGui::InputTextWithHint("##filter", "Filter parameters", &filter);
+  ImGui::InputTextWithHint("##filter", "Filter parameters and objects", &filter);
   state.ui.items.add("layout.filter");
   if (const auto text = state.ui.items.take_request("layout.filter")) {
     filter = *text;

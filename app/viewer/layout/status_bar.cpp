@@ -5,8 +5,13 @@
 #include <algorithm>
 
 #include "render/session.h"
+#include "render/shared_sampling.h"
+#include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
+#include "viewer/files/scene_export.h"
+#include "viewer/files/session_export.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/tasks/exclusive_task.h"
 #include "viewer/viewport/image_zoom.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -121,7 +126,14 @@ class StatusLine {
   bool first_ = true;
 };
 
+// Whether a file is being written.
+bool is_saving(const AppState& state) {
+  const FileState& files = state.files;
+  return files.image_export->is_busy() || files.scene_export->is_busy() || files.session_export->is_busy();
+}
+
 std::string phase_text(const AppState& state, const render::Status& status) {
+  if (is_saving(state)) return "Saving";
   const std::string exclusive = state.tasks.exclusive->status();
   std::string text = exclusive.empty() ? status.phase : exclusive;
   if (text.empty()) text = "starting";
@@ -136,16 +148,41 @@ std::string error_text(const render::Status& status) {
   return label + " " + (error.known ? film::error_text(status.measure, error.value) : "?");
 }
 
+// "4 ranks", or "3 of 4 ranks" if some take no part.
+void add_ranks(StatusLine& line, const render::SharingStatus& status) {
+  const std::string all = formatted("%d ranks", status.ranks);
+  const std::string text = status.active < status.ranks ? formatted("%d of ", status.active) + all : all;
+  const uint32_t samples = status.own_samples + status.other_samples;
+  const std::string share =
+      samples > 0 ? formatted("; %.0f %% of the samples are from other ranks", 100.0 * status.other_samples / samples)
+                  : std::string();
+  line.add(text,
+           ("Processes that render this image" + share + (status.note.empty() ? "" : ". ") + status.note).c_str());
+}
+
+std::string speed_text(const render::Status& status) {
+  return formatted("%.2f Ms/s, %.1f Mr/s", status.paths_per_second / 1e6, status.rays_per_second / 1e6);
+}
+
+// What describes the renderer but calls for no action.
+std::string details_text(const AppState& state, const render::Status& status) {
+  return formatted("%.2f million samples and %.1f million rays per second\n", status.paths_per_second / 1e6,
+                   status.rays_per_second / 1e6) +
+         "Memory of scene, film and integrator: " + memory_text(status.memory) +
+         "\nFeatures in use: " + state.session->model().summary();
+}
+
 void draw_parts(AppState& state, StatusLine& line) {
   const render::Status status = state.session->status();
   const uint32_t limit = state.document().limits.samples;
-  line.add(phase_text(state, status), "What the renderer is doing");
+  const std::string details = details_text(state, status);
+  line.add(phase_text(state, status), ("What the renderer is doing\n" + details).c_str());
   if (const render::AutomaticMethod& automatic = state.document().automatic; automatic.enabled)
-    line.add("auto: " + state.document().method.integrator,
+    line.add("Automatic: " + integrator_label(state.document().method.integrator),
              automatic.is_pending() ? "The integrator is chosen automatically when the image has rested for a moment"
                                     : ("Chosen automatically: " + automatic.reason).c_str());
   line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
-           "Samples per pixel");
+           ("Samples per pixel\n" + details).c_str());
   if (!state.viewport.zoom.is_fitted()) line.add_zoom();
   line.add(clock_text(status.seconds), "Rendering time of this image");
   if (status.time_left && !status.finished)
@@ -154,12 +191,12 @@ void draw_parts(AppState& state, StatusLine& line) {
   line.add_error(error_text(status), status.measure);
   if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0) line.add_invalid(status.rejected.total());
-  line.add(formatted("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
-  line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
+  if (state.options.sharing) add_ranks(line, state.options.sharing->status());
+  if (!state.settings.show_details) return;
+  line.add(speed_text(status), "Million samples and million rays per second");
   line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
-  if (state.settings.show_timing)
-    line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),
-             "Share of the time that drawing the interface takes");
+  line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),
+           "Share of the time that drawing the interface takes");
   line.add(state.session->model().summary(), "Features in use: only those that the scene needs");
 }
 

@@ -51,8 +51,8 @@ void draw_viewport_menu(AppState& state) {
   draw_object_items(state);
   if (ImGui::MenuItem("Focus and orbit here", "double click")) focus_at(state, state.interface.menu_target);
   state.ui.items.add("viewport-menu.focus");
-  for (const char* action : {"view.frame-all", "display.next-aov", "display.toggle-false-color", "compare.pin",
-                             "snapshot.save", "snapshot.save-as"})
+  for (const char* action : {"view.frame-all", "view.reset-camera", "display.next-aov", "display.toggle-false-color",
+                             "compare.pin", "snapshot.save", "snapshot.save-as"})
     action_menu_item(state, *state.actions.find(action));
   ImGui::EndPopup();
 }

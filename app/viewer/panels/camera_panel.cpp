@@ -92,6 +92,7 @@ class CameraPanel final : public Panel {
     action_button(state, "view.frame-all");
     ImGui::SameLine();
     action_button(state, "view.frame-selection");
+    action_button(state, "view.reset-camera");
     if (group(ui, "Projection", "camera.")) projection_widgets(state);
     if (group(ui, "Lens", "camera.")) {
       section_widgets_for(state, "camera", {"lens-radius", "focus-distance", "shutter"});

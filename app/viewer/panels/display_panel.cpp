@@ -21,13 +21,6 @@ namespace {
 // The option that stands for the image itself; a stable name for scripts.
 constexpr const char* kImageOption = "picture";
 
-// "shading-normal" as "Shading normal", "medium-in-scattering" as "Medium in-scattering".
-std::string label_of(std::string name) {
-  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  if (const size_t dash = name.find('-'); dash != std::string::npos) name[dash] = ' ';
-  return name;
-}
-
 ParameterInfo false_color_parameter(bool value) {
   ParameterInfo info;
   info.name = "view.false-color";
@@ -49,7 +42,7 @@ ParameterInfo aov_parameter(const std::string& value, const scene::CompiledScene
   info.option_labels = {"Beauty"};
   for (const std::string& name : aov_layer_names(scene)) {
     info.options.push_back(name);
-    info.option_labels.push_back(label_of(name));
+    info.option_labels.push_back(label_of_name(name));
   }
   info.default_value = value.empty() ? std::string(kImageOption) : value;
   return info;

@@ -180,7 +180,7 @@ class LabPanel final : public Panel {
     }
     if (const auto value = parameter_widget(state, describe(seed_))) assign(seed_, *value);
     action_button(state, kExportExperiment);
-    note(state.ui, e.description.summary + std::string(". ") + e.description.source);
+    note(state.ui, e.description.summary + std::string("."));
   }
 
   void draw_outcome(AppState& state) {

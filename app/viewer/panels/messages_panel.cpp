@@ -1,5 +1,6 @@
 // All messages, warnings and errors since the start, oldest first.
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "viewer/actions/action.h"
 #include "viewer/panels/panel.h"
@@ -7,9 +8,13 @@
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/status_icon.h"
+#include "viewer/widgets/unicode.h"
 
 namespace etendue::viewer {
 namespace {
+
+constexpr const char* kFilterItem = "messages.filter";
 
 std::string log_text(const Notices& notices) {
   std::string text;
@@ -32,9 +37,17 @@ class MessagesPanel final : public Panel {
     action_button(state, "messages.copy");
     ImGui::SameLine();
     action_button(state, "messages.clear");
+    ImGui::SameLine();
+    draw_filter(state);
     ImGui::BeginChild("##log");
     const bool follows = ImGui::GetScrollY() >= ImGui::GetScrollMaxY();
     for (const auto& entry : log) {
+      if (!contains_ignoring_case(entry.text, filter_)) continue;
+      if (entry.is_error)
+        status_icon(state.ui, Status::bad);
+      else
+        ImGui::Dummy({ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()});
+      ImGui::SameLine();
       ImGui::PushFont(state.ui.fonts.monospace);
       ImGui::TextDisabled("%s", entry.time.c_str());
       ImGui::PopFont();
@@ -46,6 +59,8 @@ class MessagesPanel final : public Panel {
     if (follows) ImGui::SetScrollHereY(1);
     ImGui::EndChild();
   }
+
+  bool reveal_parameter(AppState&, const std::string& name) override { return name == kFilterItem; }
 
   void add_actions(ActionList& actions) override {
     const auto has_messages = [](const AppState& state) { return !state.notices.log().empty(); };
@@ -60,6 +75,19 @@ class MessagesPanel final : public Panel {
                  .run = [](AppState& state) { state.notices.clear_log(); },
                  .enabled = has_messages});
   }
+
+ private:
+  void draw_filter(AppState& state) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##filter", "Filter messages", &filter_);
+    state.ui.items.add(kFilterItem);
+    if (const auto text = state.ui.items.take_request(kFilterItem)) {
+      filter_ = *text;
+      state.ui.items.answer("");
+    }
+  }
+
+  std::string filter_;
 };
 
 }  // namespace

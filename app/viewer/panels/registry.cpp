@@ -16,6 +16,7 @@
   PANEL(techniques)    \
   PANEL(sampling)      \
   PANEL(trace)         \
+  PANEL(radiosity)     \
   PANEL(surface)       \
   PANEL(lab)           \
   PANEL(messages)

@@ -20,20 +20,13 @@
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 const std::vector<std::string> kLimits{"samples", "seconds", "error", "error-measure"};
-
-// "accepted-share" as "Accepted share".
-std::string label_of(std::string name) {
-  std::ranges::replace(name, '-', ' ');
-  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
-}
 
 // A list in the registry may or may not end with a full stop.
 std::string sentence(const std::string& text) { return text.ends_with('.') ? text : text + "."; }
@@ -42,9 +35,11 @@ std::string sentence(const std::string& text) { return text.ends_with('.') ? tex
 void integrator_statistics(AppState& state) {
   const auto status = state.session->status();
   if (status.version != state.editor->version()) return;
+  for (const std::string& text : status.notes) warning(state.ui, sentence(text));
+  if (!status.notes.empty()) state.ui.items.add("render.notes");
   for (const auto& statistic : status.statistics) {
     const std::string value = formatted("%.4g ", statistic.value) + statistic.unit;
-    labelled_value(state.ui, label_of(statistic.name).c_str(), value, statistic.doc.c_str());
+    labelled_value(state.ui, label_of_name(statistic.name).c_str(), value, statistic.doc.c_str());
     state.ui.items.add("statistic." + statistic.name);
   }
 }
@@ -102,7 +97,9 @@ class RenderPanel final : public Panel {
         return {.error = "the integrator is not chosen automatically; set render.integrator to auto first"};
       return {.done = !state.document().automatic.is_pending()};
     };
-    return {recommendation_.wait_condition(), {.name = "misses", .check = check}, {.name = "automatic", .check = check_automatic}};
+    return {recommendation_.wait_condition(),
+            {.name = "misses", .check = check},
+            {.name = "automatic", .check = check_automatic}};
   }
 
   void report(AppState& state, nlohmann::json& json) override {
@@ -170,8 +167,9 @@ class RenderPanel final : public Panel {
     if (automatic_.running())
       note(state.ui, formatted("Comparing integrators, %.0f %%", 100 * automatic_.progress()));
     else if (automatic.is_pending())
-      note(state.ui, "The integrator is chosen when the image has rested for a moment. Until then, it is rendered with " +
-                         integrator_label(state.document().method.integrator) + ".");
+      note(state.ui,
+           "The integrator is chosen when the image has rested for a moment. Until then, it is rendered with " +
+               integrator_label(state.document().method.integrator) + ".");
     else
       note(state.ui, "Chosen: " + integrator_label(state.document().method.integrator) + ". " + automatic.reason + ".");
     action_button(state, "integrator.choose-again");
@@ -195,7 +193,7 @@ class RenderPanel final : public Panel {
     ImGui::PopFont();
     const advisor::MissingPaths* missing = missing_paths(state);
     if (const std::string incompatibility = state.incompatibility(); !incompatibility.empty())
-      warning(ui, sentence(incompatibility));
+      warning(ui, sentence(with_labels(state.document(), incompatibility).text));
     else if (missing && !missing->none())
       warning(ui, "In this view, the integrator " + advisor::missing_paths_text(*missing) + ".");
     state.ui.items.add("render.misses");
@@ -207,7 +205,7 @@ class RenderPanel final : public Panel {
     section_widgets(state, "model");
     const auto model = state.session->model();
     for (const auto& decision : model.decisions)
-      note(state.ui, decision.flag + ": " + decision.value + ". " + decision.reason);
+      note(state.ui, label_of_name(decision.flag) + ": " + decision.value + ". " + decision.reason);
   }
 
   RecommendationSection recommendation_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -19,27 +20,58 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/number_widget.h"
+#include "viewer/widgets/object_shapes.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/unicode.h"
 #include "viewer/widgets/vector_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-// "mesh", "light", "camera", or empty for a node that only groups others.
-const char* kind_of(const scene::Node& node) {
-  if (node.mesh >= 0) return "mesh";
-  if (node.light >= 0) return "light";
-  if (node.camera >= 0) return "camera";
-  return "";
+ObjectKind kind_of(const scene::Node& node) {
+  if (node.mesh >= 0) return ObjectKind::mesh;
+  if (node.light >= 0) return ObjectKind::light;
+  return node.camera >= 0 ? ObjectKind::camera : ObjectKind::group;
+}
+
+const char* label_of(ObjectKind kind) {
+  constexpr const char* kLabels[] = {"node", "mesh", "light", "camera"};
+  return kLabels[static_cast<size_t>(kind)];
 }
 
 constexpr const char* kNameItem = "object.name";
 
 std::string node_name(const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
-  const char* kind = *kind_of(node) ? kind_of(node) : "node";
-  return object_name(node.name, kind, static_cast<size_t>(index));
+  return object_name(node.name, label_of(kind_of(node)), static_cast<size_t>(index));
 }
+
+// The nodes of the tree that a filter shows: those whose name or kind contains it, with all their ancestors.
+class TreeFilter {
+ public:
+  void update(const std::shared_ptr<const scene::Scene>& scene, const std::string& filter) {
+    if (scene_ == scene && filter_ == filter) return;
+    scene_ = scene;
+    filter_ = filter;
+    shown_.assign(scene->nodes.size(), false);
+    if (filter.empty()) return;
+    for (size_t i = 0; i < shown_.size(); ++i) {
+      const std::string name = node_name(*scene, static_cast<int>(i)) + " " + label_of(kind_of(scene->nodes[i]));
+      if (!contains_ignoring_case(name, filter)) continue;
+      for (int node = static_cast<int>(i); node >= 0 && !shown_[static_cast<size_t>(node)];
+           node = scene->nodes[static_cast<size_t>(node)].parent)
+        shown_[static_cast<size_t>(node)] = true;
+    }
+  }
+  bool is_active() const { return !filter_.empty(); }
+  bool shows(int node) const { return filter_.empty() || shown_[static_cast<size_t>(node)]; }
+  bool shows_any() const { return filter_.empty() || std::ranges::find(shown_, true) != shown_.end(); }
+
+ private:
+  std::shared_ptr<const scene::Scene> scene_;
+  std::string filter_;
+  std::vector<bool> shown_;
+};
 
 bool is_ancestor(const scene::Scene& scene, int ancestor, int node) {
   for (int i = scene.nodes[static_cast<size_t>(node)].parent; i >= 0; i = scene.nodes[static_cast<size_t>(i)].parent)
@@ -116,8 +148,25 @@ void draw_node_menu(AppState& state, const scene::Node& node, int index) {
   ImGui::EndPopup();
 }
 
+// The label of a node in the tree, with room for its symbol, which is drawn afterwards.
+bool draw_tree_item(AppState& state, const scene::Scene& scene, int index, ImGuiTreeNodeFlags flags) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  const int spaces = static_cast<int>(std::ceil(1.3f * height / ImGui::CalcTextSize(" ").x));
+  if (!node.visible) ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
+  const bool open = ImGui::TreeNodeEx("##node", flags, "%*s%s", spaces, "", node_name(scene, index).c_str());
+  const Vec2 centre(corner.x + ImGui::GetTreeNodeToLabelSpacing() + 0.5f * height,
+                    0.5f * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y));
+  const ImU32 color = ImGui::GetColorU32(node.visible ? state.ui.theme.accent : state.ui.theme.secondary_text);
+  draw_object_shape(*ImGui::GetWindowDrawList(), kind_of(node), centre, 0.5f * height, color);
+  if (!node.visible) ImGui::PopStyleColor();
+  return open;
+}
+
 // A node and its children. The node `scroll_to` is brought on screen; -1: none.
-void draw_node(AppState& state, const scene::Scene& scene, int index, int scroll_to) {
+void draw_node(AppState& state, const scene::Scene& scene, const TreeFilter& filter, int index, int scroll_to) {
+  if (!filter.shows(index)) return;
   const auto& node = scene.nodes[static_cast<size_t>(index)];
   const std::string section = "node." + std::to_string(index);
   const int selected = state.selection.node;
@@ -129,16 +178,15 @@ void draw_node(AppState& state, const scene::Scene& scene, int index, int scroll
   if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
   if (selected == index) flags |= ImGuiTreeNodeFlags_Selected;
   if (selected >= 0 && is_ancestor(scene, index, selected)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-  if (!node.visible) ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
-  const bool open = ImGui::TreeNodeEx("##node", flags, "%s", node_name(scene, index).c_str());
-  if (!node.visible) ImGui::PopStyleColor();
+  if (filter.is_active()) ImGui::SetNextItemOpen(true);
+  const bool open = draw_tree_item(state, scene, index, flags);
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
   if (index == scroll_to && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   state.ui.items.add("scene." + section);
   draw_node_menu(state, node, index);
-  if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(state.ui, std::string(kind_of(node)) + ", " + section);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, std::string(label_of(kind_of(node))) + ", " + section);
   if (open && !node.children.empty()) {
-    for (const int child : node.children) draw_node(state, scene, child, scroll_to);
+    for (const int child : node.children) draw_node(state, scene, filter, child, scroll_to);
     ImGui::TreePop();
   }
   ImGui::PopID();
@@ -166,7 +214,9 @@ class ScenePanel final : public Panel {
       const bool is_new = std::exchange(last_selected_, selected) != selected;
       const bool is_smaller = std::exchange(last_height_, height) > height;
       const int scroll_to = is_new || is_smaller ? selected : -1;
-      for (const int root : scene->roots) draw_node(state, *scene, root, scroll_to);
+      tree_filter_.update(scene, state.ui.filter);
+      for (const int root : scene->roots) draw_node(state, *scene, tree_filter_, root, scroll_to);
+      if (!tree_filter_.shows_any()) note(state.ui, "No object contains the filter.");
       tree_content_height_ = ImGui::GetCursorPosY();
       ImGui::EndChild();
     }
@@ -217,6 +267,7 @@ class ScenePanel final : public Panel {
 
   std::weak_ptr<const scene::CompiledScene> counted_;  // the scene of light_text_
   std::string light_text_;
+  TreeFilter tree_filter_;
   int last_selected_ = -1;  // node
   float last_height_ = 0;   // of the tree
   float tree_content_height_ = 0, selection_height_ = 0;

@@ -2,9 +2,12 @@
 
 #include <imgui_freetype.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace etendue::viewer {
 namespace {
@@ -62,21 +65,56 @@ constexpr Palette kLight{
 // Height of the small font, relative to the others.
 constexpr float kSmallFont = 13.0f / 16;
 
+// Fonts for characters that the fonts of the interface lack: symbols, then Chinese, Japanese and Korean.
+constexpr const char* kSymbolFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
+constexpr const char* kCjkFonts[] = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+                                     "/usr/share/fonts/truetype/noto/NotoSansCJK-Regular.ttc",
+                                     "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+                                     "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
+                                     "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc",
+                                     "/usr/share/fonts/truetype/arphic/uming.ttc",
+                                     "/usr/share/fonts/truetype/fonts-japanese-gothic.ttf",
+                                     "/usr/share/fonts/truetype/nanum/NanumGothic.ttf",
+                                     "/usr/share/fonts/opentype/unifont/unifont.otf"};
+
+// The first font file that exists; null if none does.
+const char* first_existing(std::span<const char* const> files) {
+  std::error_code code;
+  for (const char* file : files)
+    if (std::filesystem::is_regular_file(file, code)) return file;
+  return nullptr;
+}
+
+// Dear ImGui reads the ranges when it builds the atlas, after load_fonts has returned.
+struct GlyphRanges {
+  std::vector<ImWchar> all, added;
+};
+const GlyphRanges& keep_ranges(const GlyphSet& glyphs) {
+  static GlyphRanges ranges;
+  ranges.added.clear();
+  for (const unsigned short c : glyphs.characters()) ranges.added.insert(ranges.added.end(), {c, c});
+  ranges.added.push_back(0);
+  ranges.all.assign(std::begin(kInitialGlyphs), std::end(kInitialGlyphs) - 1);
+  ranges.all.insert(ranges.all.end(), ranges.added.begin(), ranges.added.end());
+  return ranges;
+}
+
 // Loads the first font file that exists; otherwise the font that is built into Dear ImGui.
-ImFont* load_first(std::initializer_list<const char*> files, float pixels) {
-  static const ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2190,
-                                    0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
-  ImGuiIO& io = ImGui::GetIO();
-  for (const char* file : files) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) continue;
-    ImFontConfig config;
-    config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-    if (ImFont* font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, kRanges)) return font;
-  }
+ImFont* load_first(std::initializer_list<const char*> files, float pixels, const GlyphRanges& ranges) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
+  config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   config.SizePixels = pixels;
-  return io.Fonts->AddFontDefault(&config);
+  const char* file = first_existing(files);
+  ImFont* font = file ? atlas.AddFontFromFileTTF(file, pixels, &config, ranges.all.data()) : nullptr;
+  if (!font) font = atlas.AddFontDefault(&config);
+  if (ranges.added.size() < 2) return font;
+  config.MergeMode = true;
+  for (const std::span<const char* const> fallback :
+       {std::span<const char* const>(kSymbolFonts), std::span<const char* const>(kCjkFonts)})
+    if (const char* other = first_existing(fallback))
+      atlas.AddFontFromFileTTF(other, pixels, &config, ranges.added.data());
+  return font;
 }
 
 }  // namespace
@@ -136,19 +174,25 @@ Theme apply_theme(bool dark, float scale) {
           .warning = hex(p.warning)};
 }
 
-Fonts load_fonts(float size) {
+Fonts load_fonts(float size, const GlyphSet& glyphs) {
+  const GlyphRanges& ranges = keep_ranges(glyphs);
   ImGui::GetIO().Fonts->Clear();
   ImGui::GetIO().Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   Fonts fonts;
   fonts.text = load_first(
       {"/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
-      size);
+      size, ranges);
   const auto monospace = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
                           "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
-  fonts.monospace = load_first(monospace, size);
-  fonts.small = load_first(monospace, std::round(size * kSmallFont));
+  fonts.monospace = load_first(monospace, size, ranges);
+  fonts.small = load_first(monospace, std::round(size * kSmallFont), ranges);
   return fonts;
+}
+
+size_t count_missing(const ImFont& font, const GlyphSet& glyphs) {
+  return static_cast<size_t>(std::ranges::count_if(
+      glyphs.characters(), [&](unsigned short c) { return font.FindGlyphNoFallback(c) == nullptr; }));
 }
 
 }  // namespace etendue::viewer

@@ -2,6 +2,8 @@
 #pragma once
 #include <imgui.h>
 
+#include "viewer/platform/glyphs.h"
+
 namespace etendue::viewer {
 
 struct Theme {
@@ -23,7 +25,10 @@ struct Fonts {
 
 // Sets the style of Dear ImGui. `scale` is in pixels per unit of the interface.
 Theme apply_theme(bool dark, float scale);
-// Replaces all fonts; `size` is the height of text in pixels. The host uploads them before the next frame.
-Fonts load_fonts(float size);
+// Replaces all fonts; `size` is the height of text in pixels. The host uploads them before the next frame. Characters of
+// `glyphs` that a font lacks come from other installed fonts.
+Fonts load_fonts(float size, const GlyphSet& glyphs);
+// The number of characters that the font does not have.
+size_t count_missing(const ImFont& font, const GlyphSet& glyphs);
 
 }  // namespace etendue::viewer

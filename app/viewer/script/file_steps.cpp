@@ -121,6 +121,9 @@ class FollowStep final : public Step {
       items[name] = {placement.corner.x, placement.corner.y, placement.size.x, placement.size.y};
     nlohmann::json report = nlohmann::json::parse(state_report(state));
     report["items"] = std::move(items);
+    report["enabled_actions"] = nlohmann::json::array();
+    for (const Action& action : state.actions.all())
+      if (action.is_enabled(state)) report["enabled_actions"].push_back(action.name);
     report["count"] = ++count_;
     report["settled"] = frames >= event_frame_ + kFramesPerEvent;
     const std::string text = report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

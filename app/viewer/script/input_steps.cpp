@@ -10,6 +10,7 @@
 #include "viewer/script/name_aliases.h"
 #include "viewer/script/step.h"
 #include "viewer/state/app_state.h"
+#include "viewer/widgets/unicode.h"
 
 namespace etendue::viewer {
 namespace {
@@ -104,7 +105,7 @@ Vec2 centre_of(const Placement& placement) { return placement.corner + placement
 // Clicks an item that is on screen; otherwise runs the action of that name.
 class ClickStep final : public Step {
  public:
-  explicit ClickStep(const std::string& item) : item_(current_name(item)) {}
+  ClickStep(const std::string& item, Button button) : item_(current_name(item)), button_(button) {}
 
   StepStatus advance(AppState& state) override {
     if (click_) return click_->advance(state);
@@ -112,10 +113,10 @@ class ClickStep final : public Step {
     if (ran_) return {.done = reaction_.advance()};
     const Placement* placement = state.ui.items.find(item_);
     const Action* action = state.actions.find(item_);
-    if ((placement || action) && action && !action->is_enabled(state)) return impossible("it is disabled");
+    if (action && !action->is_enabled(state)) return impossible("it is disabled");
     if (placement) {
       state.ui.items.scroll_to("");
-      click_.emplace(centre_of(*placement), centre_of(*placement), Button::left);
+      click_.emplace(centre_of(*placement), centre_of(*placement), button_);
       return click_->advance(state);
     }
     if (action) {
@@ -130,6 +131,7 @@ class ClickStep final : public Step {
 
  private:
   std::string item_;
+  Button button_;
   std::optional<DragStep> click_;
   int frame_ = 0;
   bool ran_ = false;
@@ -277,8 +279,8 @@ class TypeStep final : public Step {
 
   StepStatus advance(AppState& state) override {
     if (frame_ == 0)
-      for (const char c : text_)
-        state.platform.events().push({.type = Event::Type::text, .character = static_cast<unsigned char>(c)});
+      for (std::string_view rest = text_; !rest.empty();)
+        state.platform.events().push({.type = Event::Type::text, .character = take_character(rest)});
     return {.done = frame_++ > 2};
   }
 
@@ -321,7 +323,7 @@ Result<std::unique_ptr<Step>> make_input_step(const std::string& action, const n
   const auto text = [&](const char* member) { return j.at(member).get<std::string>(); };
   if (action == "set") return result(std::make_unique<SetStep>(text("name"), value_text(j.at("value"))));
   if (action == "click" && j.value("double", false)) return result(std::make_unique<DoubleClickStep>(text("item")));
-  if (action == "click") return result(std::make_unique<ClickStep>(text("item")));
+  if (action == "click") return result(std::make_unique<ClickStep>(text("item"), button_of(j)));
   if (action == "drag" && j.contains("item"))
     return result(std::make_unique<ItemDragStep>(text("item"), point_of(j.at("by"))));
   if (action == "drag")

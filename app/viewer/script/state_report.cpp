@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/session.h"
+#include "render/shared_sampling.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
@@ -30,12 +31,12 @@ json percentiles(std::vector<double> values) {
   return j;
 }
 
-// The errors since the start, oldest first.
-json error_messages(const AppState& state) {
-  json errors = json::array();
+// The messages since the start, oldest first: all of them, or errors only.
+json messages(const AppState& state, bool errors_only) {
+  json list = json::array();
   for (const auto& entry : state.notices.log())
-    if (entry.is_error) errors.push_back(entry.text);
-  return errors;
+    if (entry.is_error || !errors_only) list.push_back(entry.text);
+  return list;
 }
 
 json document_parameters(const AppState& state) {
@@ -73,6 +74,29 @@ json aov_report(const AovImage& image) {
   return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
 }
 
+json ranks_report(const AppState& state) {
+  if (!state.options.sharing) return nullptr;
+  const render::SharingStatus status = state.options.sharing->status();
+  return {{"all", status.ranks},
+          {"active", status.active},
+          {"own_samples", status.own_samples},
+          {"other_samples", status.other_samples},
+          {"note", status.note}};
+}
+
+// Characters of names and messages that a font of the interface does not have.
+size_t missing_glyphs(const UiContext& ui) {
+  size_t most = 0;
+  for (const ImFont* font : {ui.fonts.text, ui.fonts.monospace, ui.fonts.small})
+    most = std::max(most, count_missing(*font, ui.glyphs));
+  return most;
+}
+
+const char* darkness_name(Darkness darkness) {
+  constexpr const char* kNames[] = {"none", "surfaces are black", "no surfaces"};
+  return kNames[static_cast<size_t>(darkness)];
+}
+
 // The former name of a bottom panel, "sheet.health" for "panel.reliability"; an empty text for none.
 std::string sheet_name(const Panel* panel) {
   if (!panel) return "";
@@ -93,8 +117,10 @@ std::string state_report(AppState& state) {
          {"edited", editor.has_unsaved_scene_edits()},
          {"session", state.files.session_file},
          {"ui_scale", state.ui.scale},
+         {"glyphs", {{"added", state.ui.glyphs.characters().size()}, {"missing", missing_glyphs(state.ui)}}},
          {"messages", state.notices.log().size()},
-         {"errors", error_messages(state)},
+         {"log", messages(state, false)},
+         {"errors", messages(state, true)},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},
          {"undo", editor.undo_name()},
@@ -102,16 +128,19 @@ std::string state_report(AppState& state) {
          {"samples", status.version == editor.version() ? status.samples : 0},
          {"seconds", status.seconds},
          {"paused", state.session->paused()},
+         {"ranks", ranks_report(state)},
          {"phase", status.phase},
          {"obstacle", state.incompatibility()},
          {"scene", editor.document().scene_name},
          {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}}},
          {"popup_open", state.interface.popup_open},
+         {"palette_selection_is_visible", state.ui.items.find("palette.selected") != nullptr},
          {"tab", tab ? tab->info().name : ""},
          {"bottom_panel", bottom_panel ? bottom_panel->info().name : ""},
          {"sheet", sheet_name(bottom_panel)},
          {"comparison", comparison_report(*state.viewport.comparison)},
          {"zoom", state.viewport.zoom.scale},
+         {"darkness", darkness_name(state.viewport.darkness)},
          {"image", placement_json(state.viewport.image)},
          {"points", nullptr},
          {"aov", nullptr},
@@ -119,6 +148,7 @@ std::string state_report(AppState& state) {
          {"first_picture_seconds", state.timing.first_image_seconds},
          {"latency_ms", percentiles(state.session->take_latencies())},
          {"restart_latency_ms", percentiles(state.session->take_restart_latencies())},
+         {"notes", status.notes},
          {"statistics", json::object()}};
   for (const auto& statistic : status.statistics) j["statistics"][statistic.name] = statistic.value;
   if (const auto* points = state.viewport.stored_points->result())

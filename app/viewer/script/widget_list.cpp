@@ -63,11 +63,18 @@ const std::vector<ItemInfo>& layout_items() {
       {"files.name", "File name", "The text field of the file dialog"},
       {"files.filter", "Filter names", "Shows only the names in the file dialog that contain this text"},
       {"files.accept", "Open or Save", "Accepts the file dialog"},
+      {"files.format", "Format", "Opens the list of formats of a saved file"},
+      {"files.format.EXTENSION", "Format", "Uses a format, such as files.format.png"},
       {"files.cancel", "Cancel", "Closes the file dialog"},
       {"help.close", "Close", "Closes the list of shortcuts"},
-      {"layout.filter", "Filter parameters", "Shows only the parameters of the panel that contain this text"},
+      {"layout.filter", "Filter", "Shows only the parameters of the panel and the objects that contain this text"},
+      {"messages.filter", "Filter messages", "Shows only the messages that contain this text"},
       {"layout.filter.clear", "Clear", "Shows all parameters of the panel"},
       {"menu.reset", "Reset", "Resets the parameter whose context menu is open"},
+      {"menu.copy", "Copy values", "Copies the values of a colour, a vector or a rotation"},
+      {"menu.copy-text", "Copy as sRGB", "Copies a colour as a hexadecimal sRGB value"},
+      {"incompatibility.NAME", "Set a parameter", "Shows the parameter that lets the integrator render the scene"},
+      {"palette.selected", "Selected entry", "The entry of the command palette that Enter runs"},
       {"timeline.time", "Time", "Time at which the animations are evaluated"},
       {"notice.change", "Change...", "Opens the panel that a message refers to"},
       {"notice.close", "Close", "Closes a message"},
@@ -76,7 +83,9 @@ const std::vector<ItemInfo>& layout_items() {
       {"preferences.keyboard", "Keyboard", "Shows the keyboard shortcuts in the preferences"},
       {"preferences.reset-shortcuts", "Reset all", "Resets all keyboard shortcuts"},
       {"preferences.clear-recent", "Clear recent files", "Clears the list of recent files"},
-      {"preferences.snapshot-folder", "Snapshot folder", "Where Save snapshot writes its images"},
+      {"preferences.snapshot-folder", "Snapshots", "Folder to which Save snapshot writes its images"},
+      {"preferences.scene-folder", "Scenes", "Folder in which the dialog for opening scenes starts"},
+      {"preferences.environment-folder", "Environments", "Folder in which the dialog for environment maps starts"},
       {"recovery.recover", "Recover", "Opens unsaved edits of a viewer that ended unexpectedly"},
       {"recovery.discard", "Discard", "Deletes unsaved edits of a viewer that ended unexpectedly"},
       {"recovery.later", "Decide at the next start", "Keeps unsaved edits and closes the question"},
@@ -123,6 +132,8 @@ std::string widgets_json() {
   json list = json::array();
   for (const auto& action : actions.all()) {
     json entry = item_entry(action.name, action.label, action.tooltip);
+    entry["menu"] = action.menu;
+    entry["submenu"] = action.submenu;
     entry["shortcut"] = json::array();
     for (const Chord& chord : action.chords()) entry["shortcut"].push_back(label(chord));
     list.push_back(entry);

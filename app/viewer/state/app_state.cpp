@@ -45,8 +45,8 @@ std::string step_name(const render::Document& d, const render::DocumentParameter
 AppState::AppState(Platform& p, const ViewOptions& o)
     : platform(p),
       options(o),
-      session(std::make_unique<render::Session>(
-          render::SessionOptions{.threads = o.threads, .interactive = true, .publish_interval = kPublishInterval})),
+      session(std::make_unique<render::Session>(render::SessionOptions{
+          .threads = o.threads, .interactive = true, .publish_interval = kPublishInterval, .sharing = o.sharing})),
       editor(std::make_unique<Editor>(*session)),
       tasks{.exclusive = std::make_unique<ExclusiveTask>(*session),
             .path_classes = std::make_unique<PathClassTask>(),
@@ -128,6 +128,13 @@ void AppState::save_session_as() {
                                 files.session_file = file;
                                 save_session();
                               }};
+}
+
+void AppState::show_parameter(const std::string& name) {
+  if (!panels.reveal_parameter(*this, name)) return;
+  interface.visible = true;
+  interface.panel_filter.clear();
+  ui.items.point_out(name);
 }
 
 void AppState::after_unsaved_edits(std::function<void(AppState&)> proceed) {

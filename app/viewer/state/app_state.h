@@ -173,6 +173,8 @@ struct AppState {
   // Writes the session file; asks for its name if it has none.
   void save_session();
   void save_session_as();
+  // Opens the panel of a parameter and marks its widget.
+  void show_parameter(const std::string& name);
   // Calls `proceed` at once if there are no unsaved edits of the scene, otherwise after the user has saved or discarded
   // them.
   void after_unsaved_edits(std::function<void(AppState&)> proceed);

@@ -1,5 +1,6 @@
 #include "viewer/state/document_info.h"
 
+#include <cctype>
 #include <filesystem>
 
 #include "integrator/integrator.h"
@@ -61,6 +62,25 @@ std::string method_label(const std::string& spec) {
 std::string integrator_label(const std::string& name) {
   const auto* info = integrator::find_integrator(name);
   return info ? info->label : name;
+}
+
+LabelledMessage with_labels(const render::Document& document, const std::string& message) {
+  LabelledMessage labelled{.text = message};
+  std::string& text = labelled.text;
+  const std::string integrator = document.method.integrator;
+  if (text.starts_with(integrator + ": ")) text.replace(0, integrator.size(), integrator_label(integrator));
+  for (const char* section : {"camera", "film", "render"})
+    for (const auto& parameter : render::section_parameters(document, section)) {
+      const std::string& name = parameter.info.name;
+      const size_t at = text.find(name);
+      if (at == std::string::npos) continue;
+      // "camera.lens-radius" is no part of a longer name.
+      const size_t end = at + name.size();
+      if (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-')) continue;
+      text.replace(at, name.size(), parameter.info.label);
+      labelled.parameters.push_back(name);
+    }
+  return labelled;
 }
 
 std::string scene_stem(const render::Document& document) {

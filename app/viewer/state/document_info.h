@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace etendue::render {
 struct Document;
@@ -29,6 +30,13 @@ std::string short_method_name(const std::string& spec);
 std::string method_label(const std::string& spec);
 // The label of an integrator; its name if there is no such integrator.
 std::string integrator_label(const std::string& name);
+
+// A message of the renderer with labels in place of names: of the integrator in front, and of parameters.
+struct LabelledMessage {
+  std::string text;
+  std::vector<std::string> parameters{};  // the qualified names that the message contains
+};
+LabelledMessage with_labels(const render::Document& document, const std::string& message);
 
 // The name of the scene file without folder and extension, or "scene".
 std::string scene_stem(const render::Document& document);

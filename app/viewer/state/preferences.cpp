@@ -67,8 +67,9 @@ std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
           font_size(settings),
           describe(Toggle{"preferences.welcome", "Show the welcome page", settings.show_welcome,
                           "Shows built-in scenes and recent files when the viewer is started without a scene"}),
-          describe(Toggle{"preferences.timing", "Show interface timing", settings.show_timing,
-                          "Shows in the status bar which share of the time drawing the interface takes"})};
+          describe(Toggle{"preferences.timing", "Show details in the status bar", settings.show_details,
+                          "Shows the rendering speed, the memory, the features in use, and the share of the time that "
+                          "drawing the interface takes"})};
 }
 
 std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
@@ -90,7 +91,7 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
   }
   if (name == "preferences.font-size") settings.font_size = static_cast<float>(std::get<int64_t>(value));
   if (name == "preferences.welcome") settings.show_welcome = std::get<bool>(value);
-  if (name == "preferences.timing") settings.show_timing = std::get<bool>(value);
+  if (name == "preferences.timing") settings.show_details = std::get<bool>(value);
   if (name == "preferences.automatic") settings.automatic_integrator = std::get<bool>(value);
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);

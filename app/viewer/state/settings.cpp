@@ -27,11 +27,13 @@ Settings from_json(const json& j) {
   if (const float scale = j.value("scale", 0.0f); scale > 0) s.ui_scale = std::clamp(scale, kMinScale, kMaxScale);
   s.font_size = std::clamp(j.value("font_size", s.font_size), kMinFontSize, kMaxFontSize);
   s.show_welcome = j.value("show_welcome", true);
-  s.show_timing = j.value("show_timing", false);
+  s.show_details = j.value("show_timing", false);
   s.automatic_integrator = j.value("automatic_integrator", true);
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
+  s.scene_folder = j.value("scene_folder", "");
+  s.environment_folder = j.value("environment_folder", "");
   if (j.contains("shortcuts")) s.shortcuts = j["shortcuts"].get<std::map<std::string, std::string>>();
   return s;
 }
@@ -46,11 +48,13 @@ json to_json(const Settings& s) {
           {"scale", s.ui_scale},
           {"font_size", s.font_size},
           {"show_welcome", s.show_welcome},
-          {"show_timing", s.show_timing},
+          {"show_timing", s.show_details},
           {"automatic_integrator", s.automatic_integrator},
           {"threads", s.threads},
           {"environment", s.environment},
           {"snapshot_folder", s.snapshot_folder},
+          {"scene_folder", s.scene_folder},
+          {"environment_folder", s.environment_folder},
           {"shortcuts", s.shortcuts}};
 }
 
@@ -64,6 +68,12 @@ fs::path settings_file(const fs::path& folder) {
 fs::path recovery_folder(const fs::path& folder) {
   const fs::path used = folder.empty() ? state_folder() : folder;
   return used.empty() ? used : used / "recovery";
+}
+
+fs::path default_snapshot_folder() {
+  if (const fs::path pictures = pictures_folder(); !pictures.empty()) return pictures / "etendue";
+  const fs::path state = state_folder();
+  return state.empty() ? state : state / "snapshots";
 }
 
 Settings load_settings(const fs::path& file, std::string& note) {

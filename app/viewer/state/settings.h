@@ -24,11 +24,12 @@ struct Settings {
   float ui_scale = 0;                            // pixels per unit of the interface; 0: that of the display
   float font_size = 16;                          // units of the interface
   bool show_welcome = true;                      // the welcome page, when no scene is named
-  bool show_timing = false;                      // of the interface, in the status bar
+  bool show_details = false;                     // speed, memory and features, in the status bar
   bool automatic_integrator = true;              // chosen for each scene that is opened
   int threads = 0;                               // 0: one per hardware thread; applied at the next start
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one
-  std::string snapshot_folder;                   // empty: `folder`
+  std::string snapshot_folder;                   // empty: default_snapshot_folder()
+  std::string scene_folder, environment_folder;  // where the file dialog starts; empty: `folder`
   std::map<std::string, std::string> shortcuts;  // by the name of the action; only those that were changed
 };
 
@@ -37,6 +38,10 @@ struct Settings {
 std::filesystem::path settings_file(const std::filesystem::path& folder);
 // The folder of the journals of unsaved edits: `folder`/recovery, or $XDG_STATE_HOME/etendue/recovery.
 std::filesystem::path recovery_folder(const std::filesystem::path& folder);
+
+// Where snapshots are saved unless the settings name a folder: "etendue" in the user's pictures, or "snapshots" in
+// $XDG_STATE_HOME/etendue. Empty if the user has no home folder.
+std::filesystem::path default_snapshot_folder();
 
 // Without a settings file, returns the defaults. A file that cannot be read is renamed to NAME.damaged; `note` then
 // says so.

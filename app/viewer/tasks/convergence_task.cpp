@@ -146,8 +146,14 @@ void ConvergenceTask::update(const TaskContext& context, Comparison& comparison)
 void ConvergenceTask::show_images(Comparison& comparison) const {
   const auto side = [&](size_t method) {
     const auto index = method < parameters.methods.size() ? index_in_result(parameters.methods[method]) : std::nullopt;
-    if (!index || !snapshot_->methods[*index].frame) return Side{};
+    if (!index) return Side{};
     const auto& standing = snapshot_->methods[*index];
+    if (!standing.incompatibility.empty())
+      return Side{.name = short_method_name(standing.name),
+                  .label = method_label(standing.name),
+                  .frame = nullptr,
+                  .unavailable = standing.incompatibility};
+    if (!standing.frame) return Side{};
     const std::string samples = formatted(", %u spp", standing.frame->samples);
     return Side{.name = short_method_name(standing.name) + samples,
                 .label = method_label(standing.name) + samples,

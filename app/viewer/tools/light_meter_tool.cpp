@@ -35,7 +35,7 @@ void draw_reading(const UiContext& ui, const LightQuantity& quantity, const rend
 
 void draw_spectrum(UiContext& ui, const render::MeasuredSpectrum& spectrum) {
   labelled_value(ui, "Measured efficacy", formatted("%.4g lm/W", spectrum.luminous_efficacy()),
-                 "Luminous efficacy of the light from the surface to the camera, by its spectrum and V(lambda)");
+                 "Luminous efficacy of the light from the surface to the camera, by its spectrum and V(\u03bb)");
   labelled_value(ui, "Measured radiance",
                  formatted("%.4g %s", spectrum.total_radiance(), with_superscripts("W/(m^2 sr)").c_str()),
                  "Integral of the spectral radiance from 380 to 780 nm");

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "render/aov.h"
+#include "render/light_path_layers.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/colormap.h"
@@ -18,12 +19,15 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kSamplesPerPixel = 2;
-constexpr uint32_t kFirstMediumSamples = 1, kLastMediumSamples = 256, kMediumGrowth = 4;
+constexpr uint32_t kFirstSamples = 1, kLastSamples = 256, kSampleGrowth = 4;
 
 bool is_medium_term(const std::string& name) {
   const auto& names = render::medium_aov_names();
   return std::ranges::find(names, name) != names.end();
 }
+
+// Whether a layer is a part of the radiance, which is rendered with more and more samples.
+bool is_part_of_radiance(const std::string& name) { return is_medium_term(name) || render::is_light_path_layer(name); }
 
 // A random colour for each id, so that neighbouring ids differ. Id 0 is black.
 Rgb color_of_id(float id) {
@@ -87,11 +91,14 @@ AovImage aov_image(const scene::CompiledScene& scene, const std::string& name, c
           .pixels = layers.empty() ? std::vector<Rgb>(pixels) : false_colors(layers.front(), pixels)};
 }
 
-AovImage medium_image(std::shared_ptr<const scene::CompiledScene> scene, const std::string& name,
-                      const render::Document& document, uint64_t version, uint32_t samples,
-                      const std::atomic<bool>& cancelled) {
+AovImage radiance_image(std::shared_ptr<const scene::CompiledScene> scene, const std::string& name,
+                        const render::Document& document, uint64_t version, uint32_t samples,
+                        const std::atomic<bool>& cancelled) {
+  const auto continues = [&] { return !cancelled.load(); };
   const auto layers =
-      render::render_medium_aovs(std::move(scene), document, {name}, samples, 1, [&] { return !cancelled.load(); });
+      is_medium_term(name)
+          ? render::render_medium_aovs(std::move(scene), document, {name}, samples, 1, continues)
+          : render::render_light_path_layers(std::move(scene), document, {&name, 1}, samples, 1, continues);
   if (layers.empty()) return {};
   AovImage image{.name = name,
                  .version = version,
@@ -110,6 +117,8 @@ AovImage medium_image(std::shared_ptr<const scene::CompiledScene> scene, const s
 
 std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
   auto names = render::aov_names();
+  const auto parts = render::light_path_layer_names();
+  names.insert(names.end(), parts.begin(), parts.end());
   if (!scene || scene->scatters())
     names.insert(names.end(), render::medium_aov_names().begin(), render::medium_aov_names().end());
   names.emplace_back(kErrorLayer);
@@ -119,7 +128,7 @@ std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
 // The error layer is updated when the number of samples has grown by a quarter.
 bool AovLayer::is_outdated(const std::string& name) const {
   if (image_.name != name || image_.version != editor_.version()) return true;
-  if (is_medium_term(name)) return image_.samples < kLastMediumSamples;
+  if (is_part_of_radiance(name)) return image_.samples < kLastSamples;
   if (name != kErrorLayer) return false;
   const render::Status status = session_.status();
   return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
@@ -127,7 +136,7 @@ bool AovLayer::is_outdated(const std::string& name) const {
 
 AovLayer::~AovLayer() { cancel(); }
 
-// Ends the computation of terms of media, which takes long. Other work is short and runs to its end.
+// Ends the computation of parts of the radiance, which takes long. Other work is short and runs to its end.
 void AovLayer::cancel() {
   if (!cancelled_) return;
   cancelled_->store(true);
@@ -140,15 +149,15 @@ void AovLayer::start(const std::string& name, std::shared_ptr<const scene::Compi
   cancelled_.reset();
   if (name == kErrorLayer)
     return task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
-  if (!is_medium_term(name))
+  if (!is_part_of_radiance(name))
     return task_.start(
         [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
         wake_);
   const bool continues = image_.name == name && image_.version == version;
-  const uint32_t samples = continues ? image_.samples * kMediumGrowth : kFirstMediumSamples;
+  const uint32_t samples = continues ? image_.samples * kSampleGrowth : kFirstSamples;
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   task_.start([scene, name, document = editor_.document(), version, samples,
-               cancelled = cancelled_] { return medium_image(scene, name, document, version, samples, *cancelled); },
+               cancelled = cancelled_] { return radiance_image(scene, name, document, version, samples, *cancelled); },
               wake_);
 }
 

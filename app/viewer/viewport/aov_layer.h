@@ -1,6 +1,7 @@
-// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, and the
-// terms of the equation of transfer in scenes with participating media. They are computed beside the main rendering,
-// which continues. The terms are computed again with more samples until they have 256 per pixel.
+// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, the light of
+// single bounces and path classes, and the terms of the equation of transfer in scenes with participating media. They
+// are computed beside the main rendering, which continues. Parts of the radiance are computed again with more samples
+// until they have 256 per pixel.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -25,7 +26,7 @@ class Editor;
 struct AovImage {
   std::string name;
   uint64_t version = 0;      // of the document
-  uint32_t samples = 0;      // of the rendering, for the error; of the image, for the terms of media
+  uint32_t samples = 0;      // of the rendering, for the error; of the image, for parts of the radiance
   bool is_radiance = false;  // in cd/m^2, shown like the image; else colours that are shown as they are
   std::string scale = {};    // meaning of the colours: "0.001 to 0.03"
   int width = 0;
@@ -33,7 +34,8 @@ struct AovImage {
   std::vector<Rgb> pixels;  // linear colours
 };
 
-// The name of the error layer. The other names are those of render::aov_names() and render::medium_aov_names().
+// The name of the error layer. The other names are those of render::aov_names(), render::light_path_layer_names() and
+// render::medium_aov_names().
 inline constexpr const char* kErrorLayer = "error";
 // The layers of a scene; null: all layers.
 std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene = nullptr);
@@ -64,7 +66,7 @@ class AovLayer {
   render::Session& session_;
   const Editor& editor_;
   std::function<void()> wake_;
-  std::shared_ptr<std::atomic<bool>> cancelled_;  // of the work on terms of media
+  std::shared_ptr<std::atomic<bool>> cancelled_;  // of the work on parts of the radiance
   BackgroundTask<AovImage> task_;
   Request requested_;  // what the task computes
   AovImage image_;

@@ -38,10 +38,10 @@ std::string size_text(const Side& side) { return formatted("%d x %d", side.frame
 }  // namespace
 
 std::string Comparison::problem() const {
+  for (const auto& [letter, side] : {std::pair{"A", &first()}, {"B", &b}})
+    if (!side->unavailable.empty()) return std::string(letter) + ": n/a. " + side->label + ": " + side->unavailable;
   if (!first().frame) return "There is no image yet.";
   if (!b.frame) return "There is no image B. Pin the current image or load one.";
-  for (const auto& [letter, side] : {std::pair{"A", &first()}, {"B", &b}})
-    if (!side->unavailable.empty()) return std::string(letter) + " has no image: " + side->unavailable;
   if (!same_size(first(), b))
     return "A is " + size_text(first()) + ", B is " + size_text(b) + ". Images of different size cannot be compared.";
   return "";

@@ -24,7 +24,7 @@ struct Side {
   std::string name{};                          // for scripts: "path, sobol, 64 spp", or a file name
   std::string label{};                         // for the user: "Path tracing, Sobol', 64 spp"
   std::shared_ptr<const render::Frame> frame;  // null if there is no such image
-  std::string unavailable{};                   // why the integrator cannot render the image, which is then black; or empty
+  std::string unavailable{};                   // why the integrator cannot render the image; empty if it can
 };
 
 class Comparison {
@@ -42,7 +42,7 @@ class Comparison {
   bool swapped = false;
   bool shows_reference = false;
 
-  const Side& first() const { return a.frame ? a : live; }
+  const Side& first() const { return a.frame || !a.unavailable.empty() ? a : live; }
   const Side& left() const { return swapped ? b : first(); }
   const Side& right() const { return swapped ? first() : b; }
   const char* left_letter() const { return swapped ? "B" : "A"; }

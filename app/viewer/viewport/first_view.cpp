@@ -10,13 +10,15 @@
 #include "scene/compiled_scene.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/dark_image.h"
+#include "viewer/viewport/lit_view.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 constexpr int kColumns = 24, kRows = 16;  // of rays that look for surfaces in front of the near plane
-constexpr uint32_t kExposureSamples = 4;
+constexpr uint32_t kExposureSamples = 4, kLightSamples = 8;
 
 // The distance along the optical axis to the surface in the centre of the image; 0 if there is none.
 float central_depth(const Camera& camera, const scene::CompiledScene& scene) {
@@ -60,6 +62,33 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
                                       static_cast<double>(*exposure)));
 }
 
+// Whether the camera of the file sees unlit surfaces only, and another one would see lit surfaces.
+bool another_view_is_lit(const render::Document& document, const scene::CompiledScene& scene) {
+  const float aspect = static_cast<float>(document.width) / static_cast<float>(document.height);
+  if (seen_surfaces(scene, document.camera, aspect).suffice()) return false;
+  return seen_surfaces(scene, reset_camera(document, scene), aspect).suffice();
+}
+
+// Adds the studio environment if the lights of the file leave most of the visible surfaces black at any exposure, from
+// every side. Returns whether it was added.
+bool add_missing_light(AppState& state, const scene::CompiledScene& scene, const render::Frame& frame) {
+  const render::Document& document = state.document();
+  if (!document.scene->environment.black()) return false;
+  const auto luminances = render::surface_luminances(document, scene, *frame.pixels);
+  render::Document exposed = document;
+  exposed.display.exposure = std::max(document.display.exposure, render::automatic_exposure(luminances).value_or(0));
+  if (find_darkness(exposed, scene, frame) != Darkness::surfaces_are_black) return false;
+  if (another_view_is_lit(document, scene)) return false;
+  auto lit = render::with_text(document, "environment.preset", "studio");
+  if (!lit) return false;
+  lit->display.curve = image::ToneCurve::neutral;
+  state.viewport.environment = lit->scene->environment.file;
+  state.editor->amend(std::move(*lit));
+  state.notices.add_message("The lights of the file leave most surfaces black: the environment \"Studio\" was added.",
+                            "tab.light");
+  return true;
+}
+
 // Notices another environment. That of a scene just opened is not the user's choice.
 void watch_environment(AppState& state) {
   const std::string& environment = state.document().scene->environment.file;
@@ -96,7 +125,13 @@ void adjust_first_view(AppState& state) {
   }
   const auto& frame = state.viewport.frame;
   const bool shows_document = frame && frame->version == state.editor->version();
-  if (!shows_document || frame->samples < kExposureSamples || frame->preview_scale > 1) return;
+  const bool is_new_scene = pending == FirstView::exposure_pending;
+  const uint32_t samples = is_new_scene ? kLightSamples : kExposureSamples;
+  if (!shows_document || frame->samples < samples || frame->preview_scale > 1) return;
+  if (is_new_scene && add_missing_light(state, *scene, *frame)) {
+    pending = FirstView::environment_selected;
+    return;
+  }
   pending = FirstView::adjusted;
   adjust_exposure(state, *scene, *frame);
 }

@@ -24,8 +24,9 @@ enum class FirstView : uint8_t { adjusted, camera_pending, exposure_pending, env
 // and without its near plane if that hides no surface.
 Camera camera_for_navigation(const render::Document& document, const scene::CompiledScene& scene);
 
-// Applies camera_for_navigation as soon as the scene is compiled, and an exposure as soon as there are enough samples if
-// the image would be dark or clipped. Edits of the user end the adjustments; another environment begins that of the
+// Applies camera_for_navigation as soon as the scene is compiled. As soon as there are enough samples, adds the studio
+// environment if the lights of the file leave most surfaces black, and sets an exposure if the image would be dark or
+// clipped. Edits of the user end the adjustments; another environment begins that of the
 // exposure. To be called for each frame.
 void adjust_first_view(AppState& state);
 

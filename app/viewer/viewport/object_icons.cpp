@@ -3,13 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "camera/segment_projection.h"
 #include "render/document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/widgets/object_shapes.h"
 
 namespace etendue::viewer {
 namespace {
@@ -42,24 +42,6 @@ std::vector<ObjectIcon> icons_of(const AppState& state) {
   return icons;
 }
 
-// A disk with rays.
-void draw_light_icon(ImDrawList& draw, Vec2 at, float r, ImU32 color) {
-  draw.AddCircleFilled({at.x, at.y}, 0.38f * r, color);
-  for (int i = 0; i < 8; ++i) {
-    const float phi = kPi / 4 * static_cast<float>(i);
-    const Vec2 direction(std::cos(phi), std::sin(phi));
-    const Vec2 from = at + direction * (0.52f * r), to = at + direction * (0.82f * r);
-    draw.AddLine({from.x, from.y}, {to.x, to.y}, color, 1.5f);
-  }
-}
-
-// A box with the cone of a lens.
-void draw_camera_icon(ImDrawList& draw, Vec2 at, float r, ImU32 color) {
-  draw.AddRectFilled({at.x - 0.65f * r, at.y - 0.4f * r}, {at.x + 0.2f * r, at.y + 0.4f * r}, color, 2);
-  draw.AddTriangleFilled({at.x + 0.25f * r, at.y}, {at.x + 0.7f * r, at.y - 0.4f * r},
-                         {at.x + 0.7f * r, at.y + 0.4f * r}, color);
-}
-
 }  // namespace
 
 void draw_object_icons(AppState& state, ImDrawList& draw) {
@@ -72,7 +54,7 @@ void draw_object_icons(AppState& state, ImDrawList& draw) {
     draw.AddCircleFilled({icon.position.x, icon.position.y}, r * 1.15f, kIconBackground);
     if (state.selection.node == icon.node)
       draw.AddCircle({icon.position.x, icon.position.y}, r * 1.3f, IM_COL32(120, 190, 240, 255), 0, 2);
-    (icon.is_light ? draw_light_icon : draw_camera_icon)(draw, icon.position, r, color);
+    draw_object_shape(draw, icon.is_light ? ObjectKind::light : ObjectKind::camera, icon.position, r, color);
   }
 }
 

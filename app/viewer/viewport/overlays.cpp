@@ -23,6 +23,7 @@
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 #include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/scale_bar.h"
 #include "viewer/widgets/value_text.h"
 
@@ -32,6 +33,11 @@ namespace {
 // A light line on a dark one is visible on any image.
 constexpr ImU32 kOutlineBorder = IM_COL32(0, 0, 0, 140);
 constexpr ImU32 kOutlineColor = IM_COL32(120, 190, 240, 255);
+
+// Messages over the image.
+constexpr ImGuiWindowFlags kOverlayWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                            ImGuiWindowFlags_NoFocusOnAppearing;
 
 void draw_outline(const Placement& image, Vec2 scale, const std::vector<OutlineSegment>& segments, ImDrawList* draw) {
   const auto draw_lines = [&](ImU32 color, float width) {
@@ -91,10 +97,11 @@ void draw_false_color_scale(const AppState& state, ImDrawList* draw) {
 
 std::string aov_title(const AppState& state) {
   const std::string& name = state.viewport.aov_name;
+  const std::string label = label_of_name(name);
   const AovImage& image = state.viewport.aov->image();
-  if (image.name != name) return name + ": computing";
-  if (!image.scale.empty()) return name + ", " + image.scale;
-  return state.viewport.aov->is_busy() ? name + ": computing" : name;
+  if (image.name != name) return label + ": computing";
+  if (!image.scale.empty()) return label + ", " + image.scale;
+  return state.viewport.aov->is_busy() ? label + ": computing" : label;
 }
 
 void draw_stored_points(const AppState& state, ImDrawList* draw) {
@@ -130,37 +137,44 @@ void draw_darkness(AppState& state) {
   const float em = ImGui::GetFontSize();
   const float bottom = region.corner.y + region.size.y - em - viewport.playback.bar_height;
   ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, bottom}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::Begin("##dark image", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("##dark image", nullptr, kOverlayWindow);
   const bool has_surfaces = viewport.darkness == Darkness::surfaces_are_black;
   ImGui::TextUnformatted(has_surfaces ? "Most of the visible surfaces are black." : "The camera sees no surface.");
   if (has_surfaces) {
     action_button(state, "environment.studio");
     ImGui::SameLine();
   }
+  action_button(state, "view.reset-camera");
+  ImGui::SameLine();
   action_button(state, "view.frame-all");
   ImGui::End();
 }
 
-// Says in the middle of the image why it stays black.
-void draw_incompatibility(const AppState& state, ImDrawList* draw) {
-  const std::string text = state.incompatibility();
-  if (text.empty() || state.shows_aov()) return;
+// Says in the middle of the image why it stays black. Buttons lead to the parameters that the reason names.
+void draw_incompatibility(AppState& state) {
+  const std::string reason = state.incompatibility();
+  if (reason.empty() || state.shows_aov()) return;
+  const LabelledMessage message = with_labels(state.document(), reason);
   const Placement image = state.viewport.visible_image();
   const float em = ImGui::GetFontSize();
   const float width = std::min(em * 26, state.viewport.region.size.x - 2 * em);
-  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-  const Vec2 size(text_size.x, text_size.y);
-  const Vec2 corner = glm::floor(image.corner + (image.size - size) * 0.5f);
-  const Vec2 margin(em * 0.7f, em * 0.5f);
-  const Vec2 from = corner - margin;
-  const Vec2 to = corner + size + margin;
-  const float rounding = em * 0.25f;
-  draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), rounding);
-  draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(state.ui.theme.warning), rounding);
-  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr,
-                width);
+  const Vec2 centre = image.corner + image.size * 0.5f;
+  ImGui::SetNextWindowPos({std::floor(centre.x), std::floor(centre.y)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleColor(ImGuiCol_Border, state.ui.theme.warning);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::Begin("##incompatibility", nullptr, kOverlayWindow);
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextUnformatted(message.text.c_str());
+  ImGui::PopTextWrapPos();
+  for (const std::string& name : message.parameters) {
+    const auto parameter = document_parameter(state.document(), name);
+    if (ImGui::Button(("Set " + lower_case(parameter->info.label) + "...").c_str())) state.show_parameter(name);
+    state.ui.items.add("incompatibility." + name);
+    if (ImGui::IsItemHovered()) tooltip(state.ui, parameter->info.label + ": " + parameter->info.doc);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -184,7 +198,7 @@ void draw_viewport_overlays(AppState& state) {
   draw_comparison_overlay(state, draw);
   for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
   if (state.interface.visible) {
-    draw_incompatibility(state, draw);
+    draw_incompatibility(state);
     draw_darkness(state);
   }
   if (state.interface.visible) viewport.gizmo.draw(state, *draw);

@@ -12,6 +12,8 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/first_view.h"
+#include "viewer/viewport/lit_view.h"
 #include "viewer/viewport/object_icons.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/widgets/value_text.h"
@@ -198,7 +200,20 @@ void frame_scene(AppState& state) {
   if (!state.has_document() || !scene) return;
   const auto& d = state.document();
   const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
-  state.edit_camera(state.viewport.camera_controller.frame(d.camera, scene->bounds(), aspect), "Frame all");
+  const Camera framed = state.viewport.camera_controller.frame(d.camera, scene->bounds(), aspect);
+  const Camera lit = lit_camera(*scene, framed, aspect);
+  state.viewport.pivot_is_outdated = !(lit == framed);
+  state.edit_camera(lit, "Frame all");
+}
+
+void reset_view(AppState& state) {
+  const auto scene = state.session->scene();
+  if (!state.has_document() || !scene) return;
+  render::Document changed = state.document();
+  changed.camera = reset_camera(changed, *scene);
+  changed.camera = camera_for_navigation(changed, *scene);
+  state.viewport.pivot_is_outdated = true;
+  state.edit(std::move(changed), "Reset camera");
 }
 
 void frame_selection(AppState& state) {

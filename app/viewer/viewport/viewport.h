@@ -42,8 +42,11 @@ bool focus_at(AppState& state, Vec2 position);
 // Selects the node and the material at a position of the window; clears the selected node if there is no surface.
 void select_at(AppState& state, Vec2 position);
 
-// Moves the camera so that it shows the whole scene, or the selected node.
+// Moves the camera so that it shows the whole scene, or the selected node. If walls hide the light in the direction of
+// view, the scene is shown from another side or from inside.
 void frame_scene(AppState& state);
 void frame_selection(AppState& state);
+// Uses the camera of the opened file again, or a view of the scene in which there is something to see.
+void reset_view(AppState& state);
 
 }  // namespace etendue::viewer

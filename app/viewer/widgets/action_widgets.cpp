@@ -32,6 +32,8 @@ void action_menu_item(AppState& state, const Action& action) {
   const std::string keys = label(action.chords());
   const bool chosen = ImGui::MenuItem(text.c_str(), keys.c_str(), action.is_checked(state), action.is_enabled(state));
   state.ui.items.add(action.name);
+  // A panel may have a button of the same name.
+  state.ui.items.add("entry." + action.name);
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(state.ui, action.tooltip);
   if (chosen) action.run(state);
 }

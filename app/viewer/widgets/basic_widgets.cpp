@@ -78,7 +78,13 @@ void labelled_value(const UiContext& ui, const char* label, const std::string& v
   bool hovered = ImGui::IsItemHovered();
   continue_after_label(ImGui::GetItemRectSize().x);
   ImGui::PushFont(ui.fonts.monospace);
+  // A long value is wrapped, in the next line if there is hardly any room beside the label.
+  constexpr float kLeastRoom = 8;  // font sizes
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (ImGui::CalcTextSize(value.c_str()).x > room && room < kLeastRoom * ImGui::GetFontSize()) ImGui::NewLine();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(value.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::PopFont();
   hovered = hovered || ImGui::IsItemHovered();
   if (hovered) tooltip(ui, tooltip_text);

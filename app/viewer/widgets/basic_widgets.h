@@ -19,7 +19,7 @@ void warning(const UiContext& ui, const std::string& text);
 // The text, or its beginning and "..." if it is wider than this.
 std::string shortened(std::string text, float max_width);
 
-// A line with a label on the left and a value in monospace.
+// A line with a label on the left and a value in monospace, which is wrapped if it is long.
 void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text = "");
 
 // A header that folds the widgets below it; returns whether they are visible. The group unfolds if a script requests an

@@ -31,8 +31,6 @@ Rgb value_of(ColorParameters rgb) {
   return color;
 }
 
-Rgb srgb_from_linear(const Rgb& c) { return {linear_to_srgb(c.r), linear_to_srgb(c.g), linear_to_srgb(c.b)}; }
-
 void set_color(AppState& state, ColorParameters rgb, const Rgb& color) {
   Value values[3];
   bool differs = false;
@@ -73,10 +71,17 @@ Rgb original_color(const AppState& state, ColorParameters rgb) {
   return color;
 }
 
+// The context menu of the last item.
+bool color_menu(AppState& state, ColorParameters rgb) {
+  const std::string hex = srgb_hex(value_of(rgb));
+  return parameters_menu(state, rgb, "Copy " + hex + " (sRGB)", hex);
+}
+
 void factor_widget(AppState& state, ColorParameters rgb) {
-  constexpr ImGuiColorEditFlags kFlags =
-      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
-  Rgb shown = srgb_from_linear(value_of(rgb));
+  constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel |
+                                         ImGuiColorEditFlags_NoTooltip |
+                                         ImGuiColorEditFlags_NoOptions;  // the context menu is our own
+  Rgb shown = srgb_of_linear(value_of(rgb));
   ImGui::PushID(name_of(rgb).c_str());
   label_column(rgb[0].info.label);
   ImGui::PushFont(state.ui.fonts.monospace);
@@ -93,9 +98,12 @@ void factor_widget(AppState& state, ColorParameters rgb) {
   const bool ended = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopFont();
   describe_color(state, rgb);
+  const bool reset_by_menu = color_menu(state, rgb);
   const std::optional<Rgb> requested = requested_color(state, rgb);
   if (requested) state.editor->end_gesture();
-  if (reset)
+  if (reset_by_menu)
+    reset_parameters(state, rgb);
+  else if (reset)
     set_color(state, rgb, original_color(state, rgb));
   else if (requested)
     set_color(state, rgb, *requested);
@@ -110,14 +118,16 @@ void factor_widget(AppState& state, ColorParameters rgb) {
 void radiance_swatch(AppState& state, ColorParameters rgb) {
   const Rgb color = value_of(rgb);
   const float scale = std::max(max_component(color), 1.0f);
-  Rgb shown = srgb_from_linear(color / scale);
+  Rgb shown = srgb_of_linear(color / scale);
   const float size = ImGui::GetFrameHeight();
   if (ImGui::ColorButton("##swatch", {shown.r, shown.g, shown.b, 1}, ImGuiColorEditFlags_NoTooltip, {size, size}))
     ImGui::OpenPopup("##picker");
   describe_color(state, rgb);
+  if (color_menu(state, rgb)) reset_parameters(state, rgb);
   if (!ImGui::BeginPopup("##picker")) return;
   if (ImGui::ColorPicker3("##color", &shown.r, ImGuiColorEditFlags_DisplayHex))
     set_color(state, rgb, linear_from_srgb(shown) * scale);
+  state.ui.items.add(name_of(rgb) + ".picker");
   if (ImGui::IsItemDeactivatedAfterEdit()) state.editor->end_gesture();
   ImGui::EndPopup();
 }
@@ -133,7 +143,8 @@ void temperature_widget(AppState& state, const std::string& name, const std::str
   info.name = item;
   info.label = "Temperature";
   info.doc =
-      "Temperature of the black body whose colour is nearest to this one. Sets the colour; higher temperatures are bluer";
+      "Temperature of the black body whose colour is nearest to this one. Sets the colour; higher temperatures are "
+      "bluer";
   info.unit = "K";
   info.min = kMinTemperature;
   info.max = kMaxTemperature;
@@ -149,9 +160,12 @@ void temperature_widget(AppState& state, const std::string& name, const std::str
   ImGui::PushID(info.name.c_str());
   label_column(info.label);
   const WidgetEdit edit = number_field(state.ui, info);
+  const bool reset_by_menu = color_menu(state, rgb);
   ImGui::PopID();
   start_edit(state, info, edit, name);
-  if (edit.reset)
+  if (reset_by_menu)
+    reset_parameters(state, rgb);
+  else if (edit.reset)
     set_color(state, rgb, original_color(state, rgb));
   else if (edit.value && *edit.value != info.default_value) {
     cache.kelvin = std::get<double>(*edit.value);

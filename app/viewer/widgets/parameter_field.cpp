@@ -1,41 +1,17 @@
 #include "viewer/widgets/parameter_field.h"
-#include "viewer/platform/platform.h"
 
 #include <imgui.h>
 
 #include <utility>
 
-#include "integrator/integrator.h"
 #include "render/document.h"
+#include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/option_groups.h"
 
 namespace etendue::viewer {
-namespace {
-
-// How an option is shown in a list: its group, and its tooltip. Only integrators and reflection models have groups.
-struct OptionDescription {
-  const char* group = nullptr;
-  const char* group_tooltip = "";
-  const char* tooltip = "";
-};
-
-OptionDescription describe_option(const ParameterInfo& info, const std::string& option) {
-  if (info.name.ends_with("integrator"))
-    if (const auto* integrator = integrator::find_integrator(option)) {
-      const auto& group = integrator::info_of(integrator->group);
-      return {.group = group.label, .group_tooltip = group.doc, .tooltip = integrator->summary.c_str()};
-    }
-  if (info.name.ends_with(".model"))
-    if (const auto* model = find_bsdf_model(option)) {
-      const auto kind = static_cast<size_t>(model->description.model_class);
-      return {.group = Options<ModelClass>::kOptions[kind].label, .tooltip = model->description.summary};
-    }
-  return {};
-}
-
-}  // namespace
 
 std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& info) {
   const auto text = ui.items.take_request(info.name);
@@ -66,38 +42,19 @@ WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_spe
   return edit;
 }
 
-namespace {
-
-struct ListedOption {
-  size_t index;  // in ParameterInfo::options
-  OptionDescription description;
-};
-
-// The options in their order, but those of a group together, where its first one is.
-std::vector<ListedOption> options_by_group(const ParameterInfo& info) {
-  std::vector<ListedOption> list;
-  for (size_t i = 0; i < info.options.size(); ++i) {
-    const ListedOption option{i, describe_option(info, info.options[i])};
-    const auto in_same_group = [&](const ListedOption& o) { return o.description.group == option.description.group; };
-    const auto last = std::find_if(list.rbegin(), list.rend(), in_same_group);
-    list.insert(option.description.group && last != list.rend() ? last.base() : list.end(), option);
-  }
-  return list;
-}
-
-}  // namespace
-
-std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected) {
+std::optional<Value> option_list(UiContext& ui, const ParameterInfo& info, size_t selected) {
   std::optional<Value> chosen;
   const char* group = nullptr;
-  for (const auto& [i, option] : options_by_group(info)) {
+  for (const ListedOption& option : options_by_group(info)) {
     if (option.group && std::exchange(group, option.group) != option.group) {
       ImGui::TextColored(ui.theme.secondary_text, "%s", option.group);
       if (ImGui::IsItemHovered()) tooltip(ui, option.group_tooltip);
     }
     const float indent = ImGui::GetFontSize() * 0.6f;
     if (option.group) ImGui::Indent(indent);
-    if (ImGui::Selectable(info.option_labels[i].c_str(), i == selected)) chosen = info.options[i];
+    if (ImGui::Selectable(info.option_labels[option.index].c_str(), option.index == selected))
+      chosen = info.options[option.index];
+    ui.items.add(info.name + "=" + info.options[option.index]);
     if (ImGui::IsItemHovered()) tooltip(ui, option.tooltip);
     if (option.group) ImGui::Unindent(indent);
   }
@@ -124,6 +81,39 @@ bool parameter_menu(AppState& state, const ParameterInfo& info) {
   if (ImGui::MenuItem("Copy as command-line option")) state.platform.set_clipboard("--set " + info.name + "=" + value);
   ImGui::EndPopup();
   return reset;
+}
+
+bool parameters_menu(AppState& state, std::span<const render::DocumentParameter> parameters, const std::string& label,
+                     const std::string& text) {
+  if (!ImGui::BeginPopupContextItem("##menu")) return false;
+  bool is_changed = false;
+  std::string values, options;
+  for (const render::DocumentParameter& parameter : parameters) {
+    const ParameterInfo& info = parameter.info;
+    const auto original = original_value(state, info.name);
+    is_changed = is_changed || (original && *original != info.default_value);
+    const std::string value = to_string(info.default_value);
+    values += (values.empty() ? "" : " ") + value;
+    options += (options.empty() ? "--set " : " --set ") + info.name + "=" + value;
+  }
+  const std::string& first = parameters.front().info.name;
+  const bool reset = ImGui::MenuItem("Reset", nullptr, false, is_changed);
+  state.ui.items.add("menu.reset");
+  if (ImGui::MenuItem("Copy values")) state.platform.set_clipboard(values);
+  state.ui.items.add("menu.copy");
+  if (!label.empty() && ImGui::MenuItem(label.c_str())) state.platform.set_clipboard(text);
+  if (!label.empty()) state.ui.items.add("menu.copy-text");
+  if (ImGui::MenuItem("Copy name")) state.platform.set_clipboard(first.substr(0, first.rfind('.')));
+  if (ImGui::MenuItem("Copy as command-line options")) state.platform.set_clipboard(options);
+  ImGui::EndPopup();
+  return reset;
+}
+
+void reset_parameters(AppState& state, std::span<const render::DocumentParameter> parameters) {
+  std::vector<Value> values;
+  for (const render::DocumentParameter& parameter : parameters)
+    values.push_back(original_value(state, parameter.info.name).value_or(parameter.info.default_value));
+  state.edit(parameters, values, "");
 }
 
 void start_edit(AppState& state, const ParameterInfo& info, const WidgetEdit& edit, const std::string& gesture) {

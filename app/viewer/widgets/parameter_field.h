@@ -1,6 +1,7 @@
 // The parts of a parameter widget: reading requests of scripts, the tooltip, and the edit of the document.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 
 #include "base/parameter.h"
@@ -25,11 +26,19 @@ void describe_item(UiContext& ui, const ParameterInfo& info);
 WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed = 0);
 
 // The options of a choice, to be called in an open combo box. Returns the option that was chosen.
-std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected);
+std::optional<Value> option_list(UiContext& ui, const ParameterInfo& info, size_t selected);
 
 // The context menu of the last item, a parameter of the document: reset, copy. Returns true if it is to be reset. To be
 // called where the ID of the parameter is on the stack.
 bool parameter_menu(AppState& state, const ParameterInfo& info);
+
+// The same for several parameters that one widget edits: a colour, a vector, a rotation. `label` and `text` are a further
+// form of the value that can be copied; none if they are empty.
+bool parameters_menu(AppState& state, std::span<const render::DocumentParameter> parameters,
+                     const std::string& label = "", const std::string& text = "");
+
+// Sets parameters to the values of the opened file, in one step of undo.
+void reset_parameters(AppState& state, std::span<const render::DocumentParameter> parameters);
 
 // To be called before an edit is applied. Discards the step of the first click of a double click, which has moved the
 // slider.

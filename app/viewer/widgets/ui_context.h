@@ -34,6 +34,7 @@ struct EnteredRotation {
 struct UiContext {
   Theme theme;
   Fonts fonts;
+  GlyphSet glyphs;          // of the names and messages that are shown
   float scale = 1;          // pixels per unit of the interface
   Input input;              // of this frame
   double pointer_rest = 0;  // seconds since the pointer last moved or a button was pressed

@@ -28,14 +28,16 @@ std::string memory_text(size_t bytes) {
   return formatted("%.1f GB", mebibytes / 1024);
 }
 
+std::string label_of_name(std::string name) {
+  if (name.empty()) return name;
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  if (const size_t dash = name.find('-'); dash != std::string::npos) name[dash] = ' ';
+  return name;
+}
+
 std::string with_superscripts(std::string unit) {
   if (const size_t position = unit.find("^2"); position != std::string::npos) unit.replace(position, 2, "\u00b2");
   return unit;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 }  // namespace etendue::viewer

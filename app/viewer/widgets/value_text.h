@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "viewer/widgets/unicode.h"
+
 namespace etendue::viewer {
 
 // As printf; the result is cut off after 1000 characters.
@@ -13,9 +15,10 @@ std::string clock_text(double seconds);
 // A number of bytes: "312 kB", "1.4 GB".
 std::string memory_text(size_t bytes);
 
+// A name as a label: "shading-normal" as "Shading normal", "medium-in-scattering" as "Medium in-scattering".
+std::string label_of_name(std::string name);
+
 // A unit with typeset exponents: "W/m\u00b2" for "W/m^2".
 std::string with_superscripts(std::string unit);
-
-std::string lower_case(std::string text);
 
 }  // namespace etendue::viewer

@@ -74,6 +74,7 @@ void angle_field(AppState& state, Quaternion parameters, const std::string& gest
   EnteredRotation& entered = state.ui.entered_rotation;
   info.unit.clear();  // the label has the unit
   const WidgetEdit edit = number_field(state.ui, info, kDegreesPerPixel);
+  if (parameters_menu(state, parameters)) return reset_parameters(state, parameters);
   start_edit(state, info, edit, gesture);
   if (edit.reset) {
     const auto original = original_rotation(state, parameters);
@@ -99,7 +100,9 @@ void vector_widget(AppState& state, std::span<const render::DocumentParameter> x
     const render::DocumentParameter& parameter = xyz[static_cast<size_t>(axis)];
     ParameterInfo info = parameter.info;
     info.unit.clear();  // the label or the tooltip has the unit
-    apply_edit(state, parameter, number_field(state.ui, info, speed));
+    const WidgetEdit edit = number_field(state.ui, info, speed);
+    if (parameters_menu(state, xyz)) return reset_parameters(state, xyz);
+    apply_edit(state, parameter, edit);
   };
   three_fields(is_length ? first.label + " (m)" : first.label, draw_field, draw_first);
   ImGui::PopID();

@@ -34,8 +34,8 @@ inline constexpr const char *kTable41 = "Lang, table 4.1", *kTable42 = "Lang, ta
 inline const std::array<ConductorConstants, 9> kConductors{{
     {"gold", "Gold (grey)", kTable42, Vec3(0.370f), Vec3(2.820f)},
     {"silver", "Silver (grey)", kTable42, Vec3(0.177f), Vec3(3.638f)},
-    {"copper", "Copper (grey, corrected)", "Lang, table 4.2, corrected", Vec3(0.617f), Vec3(2.63f)},
-    {"copper-printed", "Copper (grey, as printed)", "Lang, table 4.2, as printed", Vec3(0.167f), Vec3(2.63f)},
+    {"copper", "Copper (grey)", "Lang, table 4.2, corrected", Vec3(0.617f), Vec3(2.63f)},
+    {"copper-printed", "Copper (grey, \u03b7 = 0.167)", "Lang, table 4.2, as printed", Vec3(0.167f), Vec3(2.63f)},
     {"steel", "Steel (grey)", kTable42, Vec3(2.485f), Vec3(3.433f)},
     {"silver-measured", "Silver", "Johnson and Christy 1972", Vec3(0.05684f, 0.05506f, 0.04325f),
      Vec3(4.49743f, 3.54961f, 2.59126f)},

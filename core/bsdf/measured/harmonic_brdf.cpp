@@ -2,59 +2,12 @@
 
 #include <array>
 
+#include "base/spherical_harmonics.h"
+
 namespace etendue {
 namespace {
 
 constexpr int kMaxBands = HarmonicBrdf::kMaxBands;
-
-// p(l, m, z) for all l >= m of one m, normalised so that the integral of p^2 over [-1, 1] is 1. `diagonal` is p(m, m,
-// z).
-template <class T>
-void legendre(int bands, int m, T z, T diagonal, std::array<T, kMaxBands>& p) {
-  p[static_cast<size_t>(m)] = diagonal;
-  T previous = 0, current = diagonal;
-  for (int l = m + 1; l < bands; ++l) {
-    const T l2 = static_cast<T>(l * l), m2 = static_cast<T>(m * m), b2 = static_cast<T>((l - 1) * (l - 1));
-    const T a = std::sqrt((4 * l2 - 1) / (l2 - m2));
-    const T c = l > m + 1 ? std::sqrt((b2 - m2) / (4 * b2 - 1)) : T(0);
-    const T next = a * (z * current - c * previous);
-    previous = current;
-    current = next;
-    p[static_cast<size_t>(l)] = current;
-  }
-}
-
-// p(m, m, z) from `previous` = p(m - 1, m - 1, z), with sine = sqrt(1 - z^2).
-template <class T>
-T next_diagonal(int m, T sine, T previous) {
-  return previous * sine * std::sqrt(static_cast<T>(2 * m + 1) / static_cast<T>(2 * m));
-}
-
-// Gauss-Legendre quadrature with n points on [0, 1]. The points are roots of the Legendre polynomial, found by Newton's
-// method.
-struct GaussLegendre {
-  std::vector<double> x, weight;
-
-  explicit GaussLegendre(int n) {
-    for (int k = 0; k < n; ++k) {
-      double z = std::cos(M_PI * (k + 0.75) / (n + 0.5)), slope = 1;
-      for (int step = 0; step < 50; ++step) {
-        double p0 = 1, p1 = z;
-        for (int l = 2; l <= n; ++l) {
-          const double p2 = ((2 * l - 1) * z * p1 - (l - 1) * p0) / l;
-          p0 = p1;
-          p1 = p2;
-        }
-        slope = n * (z * p1 - p0) / (z * z - 1);
-        const double move = p1 / slope;
-        z -= move;
-        if (std::abs(move) < 1e-15) break;
-      }
-      x.push_back(0.5 * (1 + z));
-      weight.push_back(1 / ((1 - z * z) * slope * slope));
-    }
-  }
-};
 
 Vec3 at_cosine(double cosine, double phi) {
   const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -95,8 +48,8 @@ HarmonicBrdf::HarmonicBrdf(const std::function<Rgb(const Vec3&, const Vec3&)>& f
   for (int m = 0; m < bands_; ++m) {
     std::vector<std::array<double, kMaxBands>> p(n);
     for (size_t k = 0; k < n; ++k) {
-      if (m > 0) diagonals[k] = next_diagonal(m, std::sqrt(1 - sqr(gauss.x[k])), diagonals[k]);
-      legendre(bands_, m, gauss.x[k], diagonals[k], p[k]);
+      if (m > 0) diagonals[k] = next_legendre_diagonal(m, std::sqrt(1 - sqr(gauss.x[k])), diagonals[k]);
+      normalized_legendre(bands_, m, gauss.x[k], diagonals[k], p[k]);
     }
     for (int l = m; l < bands_; l += 2)
       for (int l2 = m; l2 < bands_; l2 += 2) {
@@ -135,14 +88,14 @@ Rgb HarmonicBrdf::sum(const Vec3& o, const Vec3& i) const {
   const Rgb* c = coefficients_.data();
   for (int m = 0; m < bands_; ++m) {
     if (m > 0) {
-      diagonal_o = next_diagonal(m, sine_o, diagonal_o);
-      diagonal_i = next_diagonal(m, sine_i, diagonal_i);
+      diagonal_o = next_legendre_diagonal(m, sine_o, diagonal_o);
+      diagonal_i = next_legendre_diagonal(m, sine_i, diagonal_i);
       const float next = 2 * cos_dphi * cos_m - previous_cos_m;
       previous_cos_m = cos_m;
       cos_m = next;
     }
-    legendre(bands_, m, o.z, diagonal_o, p_o);
-    legendre(bands_, m, i.z, diagonal_i, p_i);
+    normalized_legendre(bands_, m, o.z, diagonal_o, p_o);
+    normalized_legendre(bands_, m, i.z, diagonal_i, p_i);
     const int count = even_count(bands_, m);
     Rgb part(0);
     for (int l = 0; l < count; ++l) {

@@ -474,9 +474,10 @@ class PathSpace {
       if (cosine == 0 || !is_light_visible(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
-      light.emitted = map.radiance(-direction);
+      const bool is_seen = path.edges() == 1;
+      light.emitted = is_seen ? map.seen_radiance(-direction) : map.radiance(-direction);
       density = scene_->lights().environment_emission_density(-direction);
-      if (path.edges() == 1 && !map.visible()) return false;
+      if (is_seen && !map.visible()) return false;
     } else if (light.kind == LightKind::medium) {
       // Its densities are those with which it was sampled.
       light.emitted = emission_in_medium(*scene_, path[0]);

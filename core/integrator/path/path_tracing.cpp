@@ -13,15 +13,15 @@
 //   Cost          two rays per vertex, no memory beyond the path
 //   Limitations   Caustics of small lights are noisy: EDS+L is found only if a path happens to hit the light.
 //                 Point lights behind glass are never found.
+#include "integrator/path/path_tracing_parameters.h"
 #include "integrator/registration.h"
-#include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/equiangular_light.h"
 #include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
-class PathTracing final : public CameraPathIntegrator<PathTracing> {
+class PathTracing final : public CameraPathIntegrator<PathTracing>, public PathTracingParameters {
  public:
   static constexpr bool kScatteringMedia = true, kSpectral = true;
 
@@ -47,19 +47,6 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .spectral = kSpectral,
     };
   }
-
-  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How light sampling and BSDF sampling are weighted"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
-  Number<int> roulette_start{"roulette-start",
-                             "Russian roulette start depth",
-                             4,
-                             {1, 64},
-                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
-
-  Toggle equiangular{"equiangular", "Equiangular sampling", true,
-                     "In scattering media with point or spot lights: a further light sample per segment, close to the "
-                     "light. Much less noise around lights; one more ray per segment"};
 
   auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start, equiangular); }
 

@@ -51,6 +51,8 @@ class Photon {
   static constexpr int kNormalBits = 15, kDirectionBits = 10;
   // Lengths are clamped to this.
   static constexpr int kMaxLength = 63;
+  // Positions of the direction and of the length in `packed_rest`.
+  static constexpr int kDirectionShift = 12, kLengthShift = 6;
 
   Photon() = default;
   // `direction` points back along the path; `length` is its number of edges; `state` is below 64.
@@ -63,7 +65,8 @@ class Photon {
       : position_(position),
         normal_(normal),
         power_(power),
-        packed_(direction << 12 | static_cast<uint32_t>(std::min(length, kMaxLength)) << 6 | state) {}
+        packed_(direction << kDirectionShift | static_cast<uint32_t>(std::min(length, kMaxLength)) << kLengthShift |
+                state) {}
 
   // The stored values.
   struct Packed {
@@ -80,8 +83,9 @@ class Photon {
   const Rgb& power() const { return power_; }  // watts; in volumes: watts times metres (photon_paths.h)
   void scale_power(float factor) { power_ *= factor; }
   Vec3 normal() const { return unpack_direction(normal_, kNormalBits); }
-  Vec3 direction() const { return unpack_direction(packed_ >> 12, kDirectionBits); }
-  int length() const { return static_cast<int>(packed_ >> 6 & 63); }
+  Vec3 direction() const { return unpack_direction(packed_ >> kDirectionShift, kDirectionBits); }
+  Vec3 unnormalized_direction() const { return unfold_direction(packed_ >> kDirectionShift, kDirectionBits); }
+  int length() const { return static_cast<int>(packed_ >> kLengthShift & kMaxLength); }
   uint8_t state() const { return packed_ & 63; }
 
  private:

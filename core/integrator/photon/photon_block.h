@@ -1,7 +1,5 @@
-// Sixteen photons of a leaf of the photon map, in 32 bytes each.
-//
-// What a lookup tests is in structure-of-arrays layout, for vector instructions; the rest is needed only of the photons
-// that are found.
+// Sixteen photons of a leaf of the photon map, in 32 bytes each and in structure-of-arrays layout, for vector
+// instructions.
 #pragma once
 #include "integrator/photon/photon.h"
 
@@ -22,19 +20,19 @@ struct PhotonBlock {
     y[i] = photon.position().y;
     z[i] = photon.position().z;
     normals[i] = photon.packed_normal();
-    rest[i] = {photon.power(), photon.packed_rest()};
+    red[i] = photon.power().r;
+    green[i] = photon.power().g;
+    blue[i] = photon.power().b;
+    packed[i] = photon.packed_rest();
   }
   Photon operator[](size_t i) const {
-    return Photon(Photon::Packed{{x[i], y[i], z[i]}, normals[i], rest[i].power, rest[i].packed});
+    return Photon(Photon::Packed{{x[i], y[i], z[i]}, normals[i], {red[i], green[i], blue[i]}, packed[i]});
   }
 
-  struct Rest {
-    Rgb power{0};
-    uint32_t packed = 0;  // direction, length and state
-  };
   alignas(64) std::array<float, kSize> x, y, z;
   std::array<uint32_t, kSize> normals{};
-  std::array<Rest, kSize> rest{};
+  std::array<float, kSize> red{}, green{}, blue{};  // power
+  std::array<uint32_t, kSize> packed{};             // direction, length and state
 };
 
 static_assert(sizeof(PhotonBlock) == 32 * PhotonBlock::kSize);
@@ -48,5 +46,22 @@ void find_distances(const PhotonBlock& block, const Vec3& position, BlockDistanc
 // on the other side of thin walls. On curved surfaces the criterion becomes exact as the disc shrinks.
 void find_distances_on_surface(const PhotonBlock& block, const Vec3& position, const Vec3& normal,
                                BlockDistances& distances2);
+
+// Selects the photons within a radius on the same surface that a Lambertian surface reflects to one of its sides.
+struct LambertianLookup {
+  Vec3 position, normal;
+  float radius2 = 0;
+  float side = 1;      // the sign of the cosine between the normal and the direction of reflection
+  int max_length = 0;  // edges of the paths of the photons
+};
+
+// The powers of photons, summed lane by lane.
+struct PowerSums {
+  alignas(64) std::array<float, PhotonBlock::kSize> red{}, green{}, blue{};
+  Rgb total() const;
+};
+
+// Adds the powers of the selected photons of a block.
+void add_powers(const PhotonBlock& block, const LambertianLookup& lookup, PowerSums& sums);
 
 }  // namespace etendue::photon

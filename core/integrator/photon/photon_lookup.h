@@ -11,6 +11,8 @@
 // over those in a ball. The photon density follows the geometric surface, but f the shading normal:
 // each photon is weighted by the ratio of its cosines to both normals, as in path tracing.
 #pragma once
+#include <limits>
+
 #include "base/stopwatch.h"
 #include "integrator/photon/kernel.h"
 #include "integrator/photon/photon_map.h"
@@ -23,9 +25,9 @@ namespace etendue::integrator {
 struct PhotonView {
   const photon::PhotonMap* map = nullptr;
   transport::LobeSplit split{0.0f};
-  const transport::ClassJoin* join = nullptr;  // in a model with path classes
-  int max_length = 0;                          // edges of a whole path; 0: no limit
-  Stopwatch* watch = nullptr;                  // runs during photon lookups
+  const transport::ClassJoin* join = nullptr;     // in a model with path classes
+  int max_length = 0;                             // edges of a whole path; 0: no limit
+  Stopwatch* watch = nullptr;                     // runs during photon lookups
   const photon::PhotonMap* volume_map = nullptr;  // of photons in media; null: not looked up
 };
 
@@ -38,12 +40,30 @@ class PhotonReflection {
   PhotonReflection(transport::PathWavefront<M>& paths, int hit, const PhotonView& view, int edges)
       : bsdf_(surface_of(paths.bsdf(hit))), wo_(paths.wo(hit)), ng_(paths.point(hit).ng), view_(view), edges_(edges) {
     has_geometric_normal_ = bsdf_.frame().z == ng_;
+    is_lambertian_ = has_geometric_normal_ && has_only_lambertian_lobe();
+    if (is_lambertian_) lambertian_value_ = bsdf_.eval(wo_, wo_);
     if constexpr (M::kClasses) transport::find_join_weights(paths.shares(), paths.path_at(hit), *view.join, weights_);
+  }
+
+  // Whether f is constant for all directions that are reflected, which is its value for the view direction.
+  bool is_lambertian() const { return is_lambertian_; }
+  // The sum of f Phi of all photons within a radius around the vertex, if it is Lambertian.
+  Color reflected_within(const Vec3& position, float radius2) const {
+    const photon::LambertianLookup lookup{.position = position,
+                                          .normal = ng_,
+                                          .radius2 = radius2,
+                                          .side = glm::dot(ng_, wo_),
+                                          .max_length = max_photon_length()};
+    return lambertian_value_ * view_.map->sum_of_powers(lookup);
   }
 
   // f Phi
   Color reflected(const photon::Photon& photon) const {
     if (view_.max_length > 0 && edges_ + photon.length() > view_.max_length) return Color(0);
+    if (is_lambertian_)
+      return glm::dot(photon.unnormalized_direction(), ng_) * glm::dot(ng_, wo_) > 0
+                 ? lambertian_value_ * photon.power()
+                 : Color(0);
     const Vec3 wi = photon.direction();
     Color f;
     if constexpr (M::kClasses)
@@ -67,6 +87,21 @@ class PhotonReflection {
       return bsdf;
   }
 
+  bool has_only_lambertian_lobe() const {
+    if constexpr (M::kClasses)
+      return false;
+    else if constexpr (M::kDiffuse)
+      return true;
+    else if constexpr (requires { bsdf_.lobes.template single_lobe_as<Lambert<Color>>(); })
+      return bsdf_.lobes.template single_lobe_as<Lambert<Color>>() != nullptr;
+    else
+      return false;
+  }
+  // The largest number of edges of the path of a photon.
+  int max_photon_length() const {
+    return view_.max_length > 0 ? view_.max_length - edges_ : std::numeric_limits<int>::max();
+  }
+
   Color value_by_letter(const Vec3& wi, const typename transport::JoinWeights<Color>::ByLetter& weight) const {
     Color f(0);
     if (bsdf_.has_component(ScatterType::diffuse))
@@ -81,7 +116,8 @@ class PhotonReflection {
   const Vec3 &wo_, &ng_;
   const PhotonView& view_;
   int edges_;
-  bool has_geometric_normal_;
+  bool has_geometric_normal_, is_lambertian_;
+  Color lambertian_value_{0};
   [[no_unique_address]] std::conditional_t<M::kClasses, transport::JoinWeights<Color>, Empty> weights_;
 };
 
@@ -184,8 +220,11 @@ void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& vi
     const PhotonReflection<M> reflection(paths, i, view, paths.length());
     const float r2 = radius2(i);
     typename M::Color sum(0);
-    view.map->for_each_within(point.position, point.ng, r2,
-                              [&](const photon::Photon& photon, float) { sum += reflection.reflected(photon); });
+    if (reflection.is_lambertian())
+      sum = reflection.reflected_within(point.position, r2);
+    else
+      view.map->for_each_within(point.position, point.ng, r2,
+                                [&](const photon::Photon& photon, float) { sum += reflection.reflected(photon); });
     auto& path = paths.state_at(i);
     path.radiance += path.throughput * sum / (kPi * r2);
   }

@@ -14,12 +14,65 @@ size_t leaves_on_the_left(size_t leaves) {
 
 size_t leaves_of(size_t photons) { return (photons + PhotonBlock::kSize - 1) / PhotonBlock::kSize; }
 
+ETENDUE_VECTORIZE size_t count_within(const Neighbour* found, size_t size, float radius2) {
+  uint32_t count = 0;
+  for (size_t i = 0; i < size; ++i) count += found[i].distance2 < radius2 ? 1 : 0;
+  return count;
+}
+
+// Removes the neighbours at or beyond a radius; the others keep their order. Returns their number.
+size_t keep_within(std::span<Neighbour> found, float radius2) {
+  size_t kept = 0;
+  for (const Neighbour& n : found) {
+    found[kept] = n;
+    kept += n.distance2 < radius2 ? 1 : 0;  // without a branch, which would be unpredictable
+  }
+  return kept;
+}
+
+struct NearestGroup {
+  size_t size;
+  float radius2;  // all of them are nearer than this, and no other neighbour is
+};
+
+// Keeps the nearest neighbours: at least `least`, and at most `most` unless their distances are nearly equal. All must
+// be nearer than `radius2`. Counting the neighbours within trial radii takes a few vector instructions each; sorting
+// and partitioning take a misprediction for every other neighbour.
+NearestGroup keep_nearest_group(std::span<Neighbour> found, size_t least, size_t most, float radius2) {
+  constexpr int kMostTrials = 16;
+  if (!std::isfinite(radius2)) {
+    float farthest = 0;
+    for (const Neighbour& n : found) farthest = std::max(farthest, n.distance2);
+    radius2 = std::nextafter(farthest, kInfinity);
+  }
+  float inner = 0;
+  size_t within_inner = 0, within = found.size();
+  for (int trial = 0; trial < kMostTrials && within > most; ++trial) {
+    // Squared distances to photons of constant density are uniform. Every other trial bisects for other densities.
+    const float wanted = 0.5f * static_cast<float>(least + most) - static_cast<float>(within_inner);
+    const float t = trial % 2 == 1 ? 0.5f : std::clamp(wanted / static_cast<float>(within - within_inner), 0.1f, 0.9f);
+    const float middle = inner + (radius2 - inner) * t;
+    const size_t count = count_within(found.data(), found.size(), middle);
+    if (count >= least) {
+      radius2 = middle;
+      within = count;
+    } else {
+      inner = middle;
+      within_inner = count;
+    }
+  }
+  return {keep_within(found, radius2), radius2};
+}
+
 // Moves the nearest `count` neighbours to the front; returns the squared distance of the farthest of them, which
 // becomes the last.
-float keep_nearest(std::span<Neighbour> found, size_t count) {
+float keep_nearest(std::span<Neighbour> found, size_t count, float radius2) {
+  const auto by_distance = [](const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; };
+  const size_t size = keep_nearest_group(found, count, count, radius2).size;
   const auto last = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-  std::nth_element(found.begin(), last, found.end(),
-                   [](const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; });
+  if (size > count)  // of equal distances
+    std::nth_element(found.begin(), last, found.begin() + static_cast<std::ptrdiff_t>(size), by_distance);
+  std::iter_swap(std::max_element(found.begin(), last + 1, by_distance), last);
   return last->distance2;
 }
 
@@ -93,11 +146,12 @@ std::vector<Photon> PhotonMap::photons() const {
   return all;
 }
 
-// Candidates are collected until there are twice as many as wanted; the nearest half of them then bounds the search.
+// Candidates are collected until there are twice as many as wanted; about the nearest half of them then bounds the
+// search.
 template <class Find>
 Neighbourhood PhotonMap::nearest_by(const Vec3& position, size_t count, float max_distance2, const Find& find,
                                     std::vector<Neighbour>& found) const {
-  const size_t full = std::min(2 * count, size_ + 1);
+  const size_t full = std::min(2 * count, size_ + 1), most = count + count / 4;
   if (found.size() < full + PhotonBlock::kSize) found.resize(full + PhotonBlock::kSize);
   float radius2 = max_distance2;
   size_t n = 0;
@@ -109,14 +163,20 @@ Neighbourhood PhotonMap::nearest_by(const Vec3& position, size_t count, float ma
       n += distances2[i] < radius2 ? 1 : 0;  // without a branch, which would be unpredictable
     }
     if (n < full) return radius2;
-    radius2 = keep_nearest(std::span(found).first(n), count);
-    n = count;
+    const auto all = std::span(found).first(n);
+    const NearestGroup group = keep_nearest_group(all, count, most, radius2);
+    n = group.size;
+    radius2 = group.radius2;
+    if (n > most) {  // of nearly equal distances
+      radius2 = keep_nearest(all.first(n), count, radius2);
+      n = count;
+    }
     return radius2;
   });
   const auto all = std::span(found).first(n);
   if (n < count && std::isfinite(max_distance2)) return {all, max_distance2};
   if (n == 0) return {};
-  const float radius = keep_nearest(all, std::min(count, n));
+  const float radius = keep_nearest(all, std::min(count, n), radius2);
   return {all.first(std::min(count, n) - 1), radius};
 }
 

@@ -70,7 +70,16 @@ class PhotonMap {
         },
         visit);
   }
-  // The same for every photon within the radius.
+  // The sum of the powers of the photons that a lookup selects.
+  Rgb sum_of_powers(const LambertianLookup& lookup) const {
+    PowerSums sums;
+    search(lookup.position, lookup.radius2, [&](size_t leaf) {
+      add_powers(blocks_[leaf], lookup, sums);
+      return lookup.radius2;
+    });
+    return sums.total();
+  }
+  // Calls `visit(photon, distance2)` for every photon within the radius.
   template <class Visit>
   void for_each_in_ball(const Vec3& position, float radius2, Visit&& visit) const {
     for_each_by(

@@ -112,8 +112,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                       "Photons per lookup",
                       50,
                       {2, 100'000},
-                      "Nearest photons in an estimate, on surfaces and in media. The relative noise is the inverse of "
-                      "its root; raising it widens the disc and the blur",
+                      "Number of nearest photons from which radiance is estimated. Raising it reduces noise, by the "
+                      "square root, and increases blur",
                       "",
                       Scale::logarithmic};
   Number<float> beta{
@@ -121,7 +121,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
       "Lookup count exponent",
       0,
       {0, 1},
-      "Photons per lookup grow as (photons / 100,000)^beta. Between 0 and 1 both bias and noise fall as photons are "
+      "Photons per lookup grow as (photons / 100,000)^\u03b2. Between 0 and 1 both bias and noise fall as photons are "
       "added, fastest at 2/3; at 0 noise stays, at 1 bias stays"};
   Number<float> radius{"radius",
                        "Max. radius",
@@ -144,8 +144,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                      "Secondary gather distance",
                      0.02f,
                      {0, 1},
-                     "Gather rays shorter than this fraction of the scene's diameter gather again instead of looking "
-                     "up photons. Raising it improves corners and is slower"};
+                     "At hits closer than this fraction of the scene's diameter, radiance comes from further gather "
+                     "rays, not from the photon map. Raising it improves corners and is slower"};
   Toggle renew{"renew", "New photons per sample", false,
                "Averages the blotches of many maps; the bias of one map stays. Always on for scenes with motion"};
   Number<int> roulette_start{"roulette-start",

@@ -98,7 +98,8 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
                               "",
                               Scale::logarithmic};
   Toggle connect{"connect", "Sample lights directly", true,
-                 "Direct light by shadow rays. Off: direct light comes from the photon map"};
+                 "Estimates direct light with shadow rays; otherwise it comes from the photon map, which is "
+                 "noisier"};
   Number<float> roughness{"roughness",
                           "Max. roughness traced as specular",
                           0.2f,

@@ -24,6 +24,7 @@
 //   Limitations   Diffuse surfaces only. Shadows and details below the size of a patch are missing unless they are
 //                 gathered.
 #include "integrator/integrator_base.h"
+#include "integrator/radiosity/solution_display.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_paths.h"
 #include "radiosity/parameters.h"
@@ -118,7 +119,9 @@ std::string Radiosity::incompatibility(const RenderContext& context) const {
 }
 
 radiosity::SolutionPlan Radiosity::plan_for(const RenderContext& context, uint32_t half) const {
-  radiosity::SolutionPlan made = plan(mix_bits(context.seed * film::kHalfBuffers + half + 1));
+  radiosity::SolutionPlan made =
+      plan(mix_bits(context.seed * film::kHalfBuffers + half + 1),
+           {std::string(context.sampler_name), {context.sampler_settings.begin(), context.sampler_settings.end()}});
   made.field.counted = counted_reflections(*context.model);
   return made;
 }
@@ -165,18 +168,22 @@ class RadiosityState final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     if (is_refused_) return {};
-    if (!solution(sample).is_ready()) return {{"computing form factors", solution(sample).tasks()}};
-    // Another state has completed the solution: that of an earlier image, or of a preview.
     const uint32_t half = sample % film::kHalfBuffers;
-    if (lookups_[half].at_camera.empty()) prepare_lookup(half);
-    return {};
+    std::vector<Phase> list;
+    for (const auto& stage : solution(sample).stages()) list.push_back({stage.name, stage.tasks});
+    first_stage_[half] = solution(sample).first_stage();
+    // Another state has completed the solution: that of an earlier image, or of a preview.
+    if (list.empty() && lookups_[half].at_camera.empty()) prepare_lookup(half);
+    return list;
   }
-  std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
-    return solution(sample).run(*context_.scene, mesh_, task, task_context.keep_going);
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
+    const size_t stage = first_stage_[sample % film::kHalfBuffers] + phase;
+    return solution(sample).run_stage(*context_.scene, mesh_, stage, task, task_context.keep_going);
   }
-  void finish(uint32_t sample, size_t) override {
-    solution(sample).finish(mesh_, reflectance_);
-    prepare_lookup(sample % film::kHalfBuffers);
+  void finish(uint32_t sample, size_t phase) override {
+    const uint32_t half = sample % film::kHalfBuffers;
+    solution(sample).complete_stage(mesh_, reflectance_, first_stage_[half] + phase);
+    if (solution(sample).is_ready()) prepare_lookup(half);
   }
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
@@ -193,39 +200,41 @@ class RadiosityState final : public RenderState {
   size_t memory() const override {
     size_t bytes = mesh_.memory() + vertices_.memory() + reflectance_.capacity() * sizeof(Rgb);
     for (const auto& solution : solutions_) bytes += solution ? solution->memory() : 0;
+    for (const Lookup& lookup : lookups_)
+      bytes += (lookup.at_camera.capacity() + lookup.at_gather.capacity()) * sizeof(Rgb);
     return bytes;
   }
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
-    auto points = std::make_shared<std::vector<StoredPoint>>();
-    if (is_refused_ || !solutions_[0]->is_ready()) return points;
-    const auto& irradiance = solutions_[0]->field().total;
-    for (size_t p = 0; p < mesh_.patches().size() && points->size() < kMostPoints; ++p) {
-      const radiosity::Patch& patch = mesh_.patches()[p];
-      points->push_back(
-          {patch.point(Vec2(1.0f / 3)), reflectance_[p] * (irradiance[2 * p] + irradiance[2 * p + 1]) * patch.area});
-    }
-    return points;
+    if (is_refused_ || !solutions_[0]->is_ready()) return std::make_shared<const std::vector<StoredPoint>>();
+    return patch_points(mesh_, reflectance_, *solutions_[0], kMostPoints);
   }
 
   std::vector<Statistic> statistics() const override {
     if (is_refused_ || !solutions_[0]->is_ready()) return {};
-    const auto& quality = solutions_[0]->factors()->quality();
-    const auto& field = solutions_[0]->field();
-    std::vector<Statistic> list{
-        {"patches", static_cast<double>(mesh_.patches().size()), "", "Patches of the mesh; each has two sides"},
-        {"dropped-triangles", static_cast<double>(mesh_.quality().degenerate), "", "Triangles without area, left out"},
-        {"closure", quality.mean_closure, "", "Mean sum of the form factors of a patch side; 1 if no light escapes"},
-        {"asymmetry", 100 * quality.asymmetry, "%", "Relative difference of both estimates of a pair's form factor"},
-        {"sweeps", static_cast<double>(field.sweeps), "", "Sweeps of the solver"},
-        {"solver-error", 100 * field.error_bound, "%",
-         "Bound of the solver's error, relative to the largest radiosity"}};
-    if (const auto step = mesh_error())
-      list.push_back(
-          {"mesh-error", 100 * *step, "%",
-           "Typical difference of irradiance between neighbouring patches, relative to the mean: a scale of the "
-           "bias of the mesh"});
+    return solution_statistics(mesh_, vertices_, *solutions_[0]);
+  }
+
+  std::vector<std::string> notes() const override {
+    if (is_refused_) return {};
+    std::vector<std::string> list;
+    if (const std::string name = radiosity::non_diffuse_material(*context_.scene); !name.empty())
+      list.push_back(name + " is not diffuse: radiosity takes all surfaces as diffuse with their base colour");
+    for (const auto& solution : solutions_) {
+      const auto& field = solution->field();
+      if (!solution->is_ready() || field.problem.empty()) continue;
+      list.push_back("radiosity: " + field.problem +
+                     (field.has_diverged ? ". The image shows emitted and direct light only" : ""));
+      break;
+    }
     return list;
+  }
+
+  std::shared_ptr<const SolutionView> solution_view() const override {
+    if (is_refused_) return nullptr;
+    auto view = view_of(mesh_, reflectance_, *solutions_[0]);
+    view->solver = Options<radiosity::SolverKind>::kOptions[static_cast<size_t>(integrator_.solver.value)].label;
+    return view;
   }
 
  private:
@@ -236,6 +245,10 @@ class RadiosityState final : public RenderState {
 
   radiosity::SceneSolution& solution(uint32_t sample) { return *solutions_[sample % film::kHalfBuffers]; }
 
+  static bool has_same_sampler(const radiosity::SamplerChoice& a, const radiosity::SamplerChoice& b) {
+    const auto is_same = [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; };
+    return a.name == b.name && std::ranges::equal(a.settings, b.settings, is_same);
+  }
   bool has_same_factors(const RadiosityState& previous, uint32_t half) const {
     const scene::CompiledScene &a = *context_.scene, &b = *previous.context_.scene;
     const bool same_light = a.same_light(b);
@@ -243,7 +256,8 @@ class RadiosityState final : public RenderState {
     const bool same_blockers = same_light || (!a.has_transparency() && !b.has_transparency() &&
                                               mesh_.quality().shapes == 0 && previous.mesh_.quality().shapes == 0);
     const radiosity::SolutionPlan &p = plans_[half], &q = previous.plans_[half];
-    return same_blockers && p.factors == q.factors && p.seed == q.seed && mesh_ == previous.mesh_;
+    return same_blockers && p.factors == q.factors && p.seed == q.seed && has_same_sampler(p.sampler, q.sampler) &&
+           mesh_ == previous.mesh_;
   }
   // A solution that is not ready has been started with the same tasks, which run again.
   bool can_reuse_solution(const RadiosityState& previous, uint32_t half) const {
@@ -267,25 +281,6 @@ class RadiosityState final : public RenderState {
     if (vertices_.empty()) return;
     lookup.at_camera = vertices_.at_vertices(mesh_, lookup.at_camera);
     lookup.at_gather = vertices_.at_vertices(mesh_, lookup.at_gather);
-  }
-
-  // The root mean square difference between the irradiance of patches and its linear reconstruction at their centroids,
-  // relative to the mean. Nothing before it can be computed.
-  std::optional<double> mesh_error() const {
-    const std::vector<Rgb>& irradiance = solutions_[0]->field().total;
-    const radiosity::PatchVertices vertices = vertices_.empty() ? radiosity::PatchVertices(mesh_) : vertices_;
-    const std::vector<Rgb> smooth = vertices.at_vertices(mesh_, irradiance);
-    double squares = 0, mean = 0, area = 0;
-    for (uint32_t e = 0; e < irradiance.size(); ++e) {
-      const double a = mesh_.patch_of(e).area, here = luminance(irradiance[e]);
-      const double there = luminance(vertices.interpolate(smooth, {e, Vec2(1.0f / 3)}));
-      if (here == 0 && there == 0) continue;
-      squares += a * sqr(here - there);
-      mean += a * here;
-      area += a;
-    }
-    if (!(mean > 0)) return {};
-    return std::sqrt(squares / area) / (mean / area);
   }
 
   template <class M>
@@ -353,6 +348,7 @@ class RadiosityState final : public RenderState {
   radiosity::PatchVertices vertices_;  // empty for constant reconstruction
   std::array<radiosity::SolutionPlan, film::kHalfBuffers> plans_;
   std::array<std::shared_ptr<radiosity::SceneSolution>, film::kHalfBuffers> solutions_;
+  std::array<size_t, film::kHalfBuffers> first_stage_{};  // of the solution, which phase 0 of a sample runs
   std::array<Lookup, film::kHalfBuffers> lookups_;
 };
 

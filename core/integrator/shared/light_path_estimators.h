@@ -31,13 +31,15 @@ void connect_light_to_camera(const RenderContext& context, const typename LightS
   if constexpr (M::kClasses)
     if (!context.model->paths->matches("EL")) return;
   if (e.density.infinite) {
-    if (!context.scene->lights().environment().visible()) return;
+    const EnvironmentMap& map = context.scene->lights().environment();
+    if (!map.visible()) return;
     const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const auto weight = weight_of(view->importance, e.direction, kInfinity);
     const float value = view->importance / e.density.first * transport::known_factor(weight);
+    const auto seen = map.shows_backdrop() ? typename M::Color(map.seen_radiance(-e.direction)) : start.emitted;
     return splatter.connect(start.path, view->ray, e.time, seed, medium_at_camera<M>(context, view->ray, e.time),
-                            kInfinity, view->raster, start.emitted * value, weight);
+                            kInfinity, view->raster, seen * value, weight);
   }
   const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;

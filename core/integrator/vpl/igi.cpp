@@ -20,15 +20,20 @@
 // With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
 // Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
 //
+// As a hybrid with photon mapping [Lang, sec. 9.6], a caustics map adds the light that reaches z, or the next vertex of
+// the compensation, through mirrors and glass only: ES*(D|G)S+L. No virtual light is connected along these paths.
+//
 //   Paths         ES*[(D|G|V)[(D|G|V).*]]L; point lights: ES*(D|G|V)[(D|G|V).*]L
 //   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
 //                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
-//   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
-//                 or with a bound and without compensation are too dark. Compensation misses light that reaches the
-//                 next vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated
-//                 as diffuse unless the full BSDF is used.
+//   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing without a caustics map.
+//                 Corners show splotches, or with a bound and without compensation are too dark. Compensation misses
+//                 light that reaches the next vertex through glass, so media inside glass need a bound of 0. Glossy
+//                 virtual lights are treated as diffuse unless the full BSDF is used.
 #include "integrator/integrator_base.h"
+#include "integrator/photon/photon_emission.h"
+#include "integrator/photon/photon_lookup.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"
 #include "integrator/vpl/virtual_lights.h"
@@ -52,7 +57,8 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
         .bias = Bias::biased,
         .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
-            "Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches, or "
+            "Caustics, and light that reaches visible surfaces through glass, are missing without a caustics map "
+            "(caustic-photons). Corners show splotches, or "
             "with a bound and without compensation are too dark. Compensation misses light that reaches the next "
             "vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as "
             "diffuse unless the full BSDF is used.",
@@ -83,18 +89,28 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
       "becomes a pattern"};
   Toggle full{"full-bsdf", "Full BSDF of virtual lights", false,
               "Virtual lights scatter by the BSDF of their surface. Off: diffusely"};
-  Number<float> bound{
-      "bound",
-      "Clamp geometry term",
-      0,
-      {0, 1e9f},
-      "Maximum of cos cos / r^2 of a connection; 0: no clamping. Lower values remove splotches and darken corners",
-      "1/m^2",
-      Scale::logarithmic};
+  Number<float> bound{"bound",
+                      "Clamp geometry term",
+                      0,
+                      {0, 1e9f},
+                      "Maximum of cos\u03b8 cos\u03b8\u2032 / r\u00b2 of a connection; 0: no clamping. Lower values "
+                      "remove splotches and "
+                      "darken corners",
+                      "1/m\u00b2",
+                      Scale::logarithmic};
   Toggle compensate{"compensate", "Bias compensation", true,
                     "Estimates the clamped light by BSDF sampling: removes the bias, adds noise"};
   Toggle renew{"renew", "New lights per sample", true,
                "Off: the error of the first lights remains, unless the scene moves"};
+  Number<int> caustic_photons{"caustic-photons",
+                              "Caustic photons",
+                              0,
+                              {0, 100'000'000},
+                              "Photons of a map of caustics, which virtual lights miss; 0: none. Raising it sharpens "
+                              "caustics and needs memory. "
+                              "Without effect if media emit light",
+                              "",
+                              Scale::logarithmic};
   Number<int> roulette_start{
       "roulette-start",
       "Russian roulette start depth",
@@ -105,7 +121,8 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
   using IntegratorBase::at_max_depth;
 
   auto parameters() {
-    return std::tie(max_depth, light_paths, interleave, full, bound, compensate, renew, roulette_start);
+    return std::tie(max_depth, light_paths, interleave, full, bound, compensate, renew, caustic_photons,
+                    roulette_start);
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
@@ -118,11 +135,25 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
     plan.max_length = max_depth > 0 ? std::max(1, max_depth - 2) : 0;
     return plan;
   }
+
+  // The photons of the caustics map.
+  PhotonPlan caustics_plan() const {
+    PhotonPlan plan;
+    plan.photons = caustic_photons;
+    plan.caustics = true;
+    plan.min_length = 2;
+    plan.max_length = std::max(0, max_depth - 1);
+    return plan;
+  }
 };
 namespace {
 
 // Combines light sampling and BSDF sampling of direct light.
 constexpr auto kHeuristic = transport::MisHeuristic::power;
+
+// Photons of an estimate from the caustics map, and the largest radius relative to the diameter of the scene.
+constexpr size_t kCausticNeighbours = 100;
+constexpr float kCausticRadius = 0.05f;
 
 // The virtual lights of one sample, or of a half-buffer.
 struct LightSet {
@@ -130,6 +161,7 @@ struct LightSet {
   std::vector<std::vector<VirtualLight>> by_task;  // by task
   std::vector<VirtualLight> all;
   bool is_ready = false;
+  std::unique_ptr<PhotonEmission> caustics;  // null: no map
 };
 
 class IgiState final : public RenderState {
@@ -137,7 +169,13 @@ class IgiState final : public RenderState {
   IgiState(const InstantGlobalIllumination& integrator, const RenderContext& context)
       : integrator_(integrator), context_(context), plan_(integrator.plan()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
-    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) lights_[half].sample = half;
+    // Photons that start in media would find the direct light of these media a second time.
+    const bool has_caustics = integrator.caustic_photons > 0 && integrator.max_depth != 1 && !context.model->diffuse &&
+                              !context.scene->solids().any_medium_emits();
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
+      lights_[half].sample = half;
+      if (has_caustics) lights_[half].caustics = std::make_unique<PhotonEmission>(integrator.caustics_plan(), half);
+    }
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
@@ -146,23 +184,31 @@ class IgiState final : public RenderState {
       lights.sample = sample;
       lights.is_ready = false;
     }
-    if (lights.is_ready || !has_indirect()) return {};
-    lights.by_task.resize(static_cast<size_t>(plan_.tasks()));
-    return {{"making virtual lights", plan_.tasks()}};
+    if (lights.caustics && renews_lights()) lights.caustics->begin(lights.caustics->plan(), sample);
+    std::vector<Phase> phases;
+    makes_lights_ = !lights.is_ready && has_indirect();
+    if (makes_lights_) {
+      lights.by_task.resize(static_cast<size_t>(plan_.tasks()));
+      phases.push_back({"making virtual lights", plan_.tasks()});
+    }
+    if (lights.caustics && !lights.caustics->is_ready()) lights.caustics->add_phases(phases);
+    return phases;
   }
 
-  std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
     LightSet& lights = lights_for(sample);
     RenderContext context = at_shared_time(context_, sample);
     if (!renews_lights()) context.sampler = &random_;
+    if (!is_phase_of_lights(phase)) return lights.caustics->run(context, photon_step(phase), task, task_context);
     return transport::with_scattering_model(*context_.model, [&]<class M>(M) {
       return make_virtual_lights<M>(context, lights.sample, plan_, task, task_context,
                                     lights.by_task[static_cast<size_t>(task)]);
     });
   }
 
-  void finish(uint32_t sample, size_t) override {
+  void finish(uint32_t sample, size_t phase) override {
     LightSet& lights = lights_for(sample);
+    if (!is_phase_of_lights(phase)) return lights.caustics->finish(photon_step(phase));
     lights.all.clear();
     for (const auto& list : lights.by_task) lights.all.insert(lights.all.end(), list.begin(), list.end());
     lights.is_ready = true;
@@ -180,7 +226,9 @@ class IgiState final : public RenderState {
       count += lights.all.capacity();
       for (const auto& list : lights.by_task) count += list.capacity();
     }
-    return count * sizeof(VirtualLight);
+    size_t photons = 0;
+    for (const LightSet& lights : lights_) photons += lights.caustics ? lights.caustics->memory() : 0;
+    return count * sizeof(VirtualLight) + photons;
   }
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
@@ -193,6 +241,12 @@ class IgiState final : public RenderState {
  private:
   // Moving objects require virtual lights of the same time.
   bool renews_lights() const { return integrator_.renew || context_.model->moving; }
+
+  // The phases of a sample: virtual lights, unless they are ready, then the steps of the photons.
+  bool is_phase_of_lights(size_t phase) const { return makes_lights_ && phase == 0; }
+  PhotonEmission::Step photon_step(size_t phase) const {
+    return static_cast<PhotonEmission::Step>(phase - (makes_lights_ ? 1 : 0));
+  }
 
   LightSet& lights_for(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
   // The shortest path with a virtual light has three edges.
@@ -213,7 +267,7 @@ class IgiState final : public RenderState {
                       return static_cast<uint32_t>((block.y + order.y(i)) % interleave_width * interleave_width +
                                                    (block.x + order.x(i)) % interleave_width);
                     });
-    if (!estimate(task_context, *lighting, paths)) return {};
+    if (!estimate(task_context, block.sample, *lighting, paths)) return {};
     const auto rays = collect(paths, order, radiance);
     if (!rays) return {};
     return *rays + lighting->rays_traced();
@@ -221,9 +275,16 @@ class IgiState final : public RenderState {
 
   // False if the task was cancelled, which is polled because connections are slow.
   template <class M>
-  bool estimate(const TaskContext& task_context, VirtualLighting<M>& lighting,
+  bool estimate(const TaskContext& task_context, uint32_t sample, VirtualLighting<M>& lighting,
                 transport::PathWavefront<M>& paths) const {
     using namespace transport;
+    const PhotonEmission* caustics = lights_[sample % film::kHalfBuffers].caustics.get();
+    const PhotonView view{.map = caustics ? &caustics->map() : nullptr,
+                          .join = join_ ? &*join_ : nullptr,
+                          .max_length = integrator_.max_depth,
+                          .watch = task_context.overhead_timer};
+    const NearestPhotons nearest{kCausticNeighbours, sqr(2 * kCausticRadius * context_.scene->bounds().radius()),
+                                 photon::Kernel::cone};
     static thread_local std::array<float, PathWavefront<M>::kCapacity> departure_cosines;  // of the sampled directions
     MediumLight<M> media(paths, kHeuristic);
     while (paths.trace()) {
@@ -237,6 +298,7 @@ class IgiState final : public RenderState {
         apply_bound_compensation(paths, departure_cosines);
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
         media.add_light_samples();
+        if (caustics) add_nearest_photons(paths, view, nearest, 0);
         lighting.add(paths);
         sample_bsdf_and_record(
             paths, integrator_.roulette_start, TransportMode::radiance,
@@ -278,6 +340,7 @@ class IgiState final : public RenderState {
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
   std::array<LightSet, film::kHalfBuffers> lights_;
+  bool makes_lights_ = false;  // in the current sample
 };
 
 }  // namespace

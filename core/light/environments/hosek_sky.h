@@ -10,7 +10,7 @@ inline Environment make_default_hosek_sky() { return make_sky({.model = SkyModel
 constexpr BuiltinEnvironment kHosekSky{
     .name = kHosekSkyName,
     .label = "Sky and sun (Hosek-Wilkie)",
-    .doc = "A clear sky with a sun, more accurate close to the horizon and at low suns than \"sky\", in cd/m^2",
+    .doc = "A clear sky with a sun, more accurate close to the horizon and at low suns than \"sky\", in cd/m\u00b2",
     .radiance = nullptr,
     .make = make_default_hosek_sky};
 

@@ -25,12 +25,12 @@ Rgb sky_radiance(const Sky& sky, const Vec3& direction);
 Environment make_sky(const Sky& sky);
 inline Environment make_default_sky() { return make_sky({}); }
 
-constexpr BuiltinEnvironment kSky{
-    .name = "sky",
-    .label = "Sky and sun",
-    .doc =
-        "A clear sky with a sun of chosen elevation, in cd/m^2 as outdoors: far brighter than the other environments",
-    .radiance = nullptr,
-    .make = make_default_sky};
+constexpr BuiltinEnvironment kSky{.name = "sky",
+                                  .label = "Sky and sun",
+                                  .doc =
+                                      "A clear sky with a sun of chosen elevation, in cd/m\u00b2 as outdoors: far "
+                                      "brighter than the other environments",
+                                  .radiance = nullptr,
+                                  .make = make_default_sky};
 
 }  // namespace etendue

@@ -7,7 +7,7 @@ namespace etendue {
 constexpr BuiltinEnvironment kUniform{
     .name = "uniform",
     .label = "Uniform",
-    .doc = "Radiance 1 from all directions: an energy-conserving white object is invisible",
+    .doc = "Radiance 1 from all directions: an energy-conserving white object has the same radiance",
     .radiance = nullptr};
 
 }  // namespace etendue

@@ -24,27 +24,27 @@ float row_sine(const image::Image& map, int y) {
 // The rectangle between four texel centres, and a point in it. Columns wrap around; beyond the first and the last row
 // the patch repeats that row up to the pole.
 struct TexelPatch {
-  int left, right, top, bottom;  // columns and rows of the texels
-  float x, y;                    // in [0, 1)
+  int top, bottom;  // rows of the texels
+  Rgb top_left, top_right, bottom_left, bottom_right;
+  Vec2 point{0};  // in [0, 1)^2
 };
 
 namespace {
 
+// `column` is in [0, width], `row` in [0, height].
 TexelPatch patch_of(const image::Image& map, int column, int row) {
-  return {(column + map.width - 1) % map.width,
-          column % map.width,
-          std::max(row - 1, 0),
-          std::min(row, map.height - 1),
-          0,
-          0};
+  const int left = column == 0 ? map.width - 1 : column - 1, right = column == map.width ? 0 : column;
+  const int top = std::max(row - 1, 0), bottom = std::min(row, map.height - 1);
+  return {
+      top, bottom, pixel(map, left, top), pixel(map, right, top), pixel(map, left, bottom), pixel(map, right, bottom)};
 }
 
 TexelPatch patch_at(const image::Image& map, Vec2 uv) {
   const float x = uv.x * static_cast<float>(map.width) + 0.5f;
   const float y = uv.y * static_cast<float>(map.height) + 0.5f;
-  TexelPatch patch = patch_of(map, static_cast<int>(x), static_cast<int>(y));
-  patch.x = x - std::floor(x);
-  patch.y = y - std::floor(y);
+  const int column = static_cast<int>(x), row = static_cast<int>(y);
+  TexelPatch patch = patch_of(map, column, row);
+  patch.point = Vec2(x - static_cast<float>(column), y - static_cast<float>(row));
   return patch;
 }
 
@@ -120,29 +120,36 @@ void EnvironmentMap::prepare_map() {
   }
   double sum[3] = {0, 0, 0};
   double solid_angle = 0;
-  weights_.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height));
+  float largest = 0;
   for (int y = 0; y < map.height; ++y) {
     const float sine = sines_.emplace_back(row_sine(map, y));
     for (int x = 0; x < map.width; ++x) {
       const Rgb c = pixel(map, x, y);
-      weights_.push_back(luminance(c) * sine);
+      largest = std::max(largest, luminance(c) * sine);
       for (int i = 0; i < 3; ++i) sum[i] += c[i] * sine;
       solid_angle += sine;
     }
   }
   for (int i = 0; i < 3; ++i) mean_[i] *= static_cast<float>(sum[i] / solid_angle);
-  // Relative to the largest: squares of the largest float would overflow, and the density does not depend on scale.
-  if (const float largest = *std::max_element(weights_.begin(), weights_.end()); largest > 0)
-    for (float& w : weights_) w /= largest;
+  if (largest > 0) largest_weight_ = largest;
 }
 
 EnvironmentMap::Corners EnvironmentMap::corners_of(const TexelPatch& p, float subtracted) const {
-  const auto at = [&](int x, int y) {
-    const auto row = static_cast<size_t>(y);
-    const float weight = weights_[row * static_cast<size_t>(environment_.map->width) + static_cast<size_t>(x)];
-    return std::max(weight - subtracted * sines_[row], 0.0f);
+  const float top = sines_[static_cast<size_t>(p.top)], bottom = sines_[static_cast<size_t>(p.bottom)];
+  const auto above = [&](const Rgb& texel, float sine) {
+    return std::max(weight(texel, sine) - subtracted * sine, 0.0f);
   };
-  return {{at(p.left, p.top), at(p.right, p.top), at(p.left, p.bottom), at(p.right, p.bottom)}};
+  return {
+      {above(p.top_left, top), above(p.top_right, top), above(p.bottom_left, bottom), above(p.bottom_right, bottom)}};
+}
+
+// The sum of the weights of all texels.
+float EnvironmentMap::total_weight() const {
+  double total = 0;
+  for (int y = 0; y < environment_.map->height; ++y)
+    for (int x = 0; x < environment_.map->width; ++x)
+      total += weight(pixel(*environment_.map, x, y), sines_[static_cast<size_t>(y)]);
+  return static_cast<float>(total);
 }
 
 // The means of the patches: row by row, because maps have millions of texels.
@@ -152,8 +159,10 @@ Piecewise2D EnvironmentMap::patches_above(float subtracted) const {
   std::vector<float> means(width * static_cast<size_t>(height + 1)), top(width), bottom(width);
   for (int row = 0; row <= height; ++row) {
     top = bottom;
-    const auto y = static_cast<size_t>(std::min(row, height - 1));
-    for (size_t x = 0; x < width; ++x) bottom[x] = std::max(weights_[y * width + x] - subtracted * sines_[y], 0.0f);
+    const int y = std::min(row, height - 1);
+    const float sine = sines_[static_cast<size_t>(y)];
+    for (size_t x = 0; x < width; ++x)
+      bottom[x] = std::max(weight(pixel(*environment_.map, static_cast<int>(x), y), sine) - subtracted * sine, 0.0f);
     if (row == 0) top = bottom;
     const float inside = row == 0 || row == height ? 0.5f : 1.0f;
     float* const mean = &means[static_cast<size_t>(row) * width];
@@ -184,7 +193,7 @@ void EnvironmentMap::prepare_densities() {
   if (sun_) full_.sun_probability = sun_probability(sun / mean);
   float above = 0;  // the mean of what the map exceeds the mean radiance by
   if (full_.patches.integral() > 0 && mean > sun) {
-    const float mean_weight = sum_of(weights_) / sum_of(sines_) / static_cast<float>(environment_.map->width);
+    const float mean_weight = total_weight() / sum_of(sines_) / static_cast<float>(environment_.map->width);
     compensated_.subtracted = mean_weight * mean / (mean - sun);
     compensated_.patches = patches_above(compensated_.subtracted);
     above = (mean - sun) * compensated_.patches.integral() / full_.patches.integral();
@@ -203,64 +212,82 @@ Vec2 EnvironmentMap::uv_of(const Vec3& d) const {
   return Vec2(std::min(u - std::floor(u), kOneMinusEpsilon), std::min(v, kOneMinusEpsilon));
 }
 
-Rgb EnvironmentMap::map_radiance(const Vec3& direction) const {
-  if (!environment_.map) return environment_.tint;
-  const image::Image& map = *environment_.map;
-  const TexelPatch p = patch_at(map, uv_of(direction));
-  return environment_.tint * mix(mix(pixel(map, p.left, p.top), pixel(map, p.right, p.top), p.x),
-                                 mix(pixel(map, p.left, p.bottom), pixel(map, p.right, p.bottom), p.x), p.y);
+Rgb EnvironmentMap::map_radiance(const TexelPatch& p) const {
+  return environment_.tint *
+         mix(mix(p.top_left, p.top_right, p.point.x), mix(p.bottom_left, p.bottom_right, p.point.x), p.point.y);
+}
+
+float EnvironmentMap::map_pdf(const TexelPatch& patch, float sine, const Density& density) const {
+  if (!(sine > 0)) return 0;
+  const float weight = corners_of(patch, density.subtracted).at(patch.point);
+  return density_times_sine(weight, density.patches, *environment_.map) / sine;
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample_map(Vec2 u, const Density& density) const {
-  if (!environment_.map) return {square_to_sphere(u), uniform_pdf(density)};
+  if (!environment_.map) return {square_to_sphere(u), uniform_pdf(density), environment_.tint};
   const image::Image& map = *environment_.map;
-  const Vec2 size(map.width, map.height + 1);
-  const Vec2 at = density.patches.sample(u).uv * size;
+  const Vec2 at = density.patches.find(u) * Vec2(map.width, map.height + 1);
   const int column = static_cast<int>(at.x);
   const int row = static_cast<int>(at.y);
-  const Corners corners = corners_of(patch_of(map, column, row), density.subtracted);
-  const Vec2 inside = corners.sample(Vec2(at.x - std::floor(at.x), at.y - std::floor(at.y)));
-  const Vec2 uv = Vec2(static_cast<float>(column) + inside.x - 0.5f, static_cast<float>(row) + inside.y - 0.5f) /
-                  Vec2(map.width, map.height);
+  TexelPatch patch = patch_of(map, column, row);
+  const Corners corners = corners_of(patch, density.subtracted);
+  patch.point = corners.sample(Vec2(at.x - static_cast<float>(column), at.y - static_cast<float>(row)));
+  const Vec2 uv =
+      Vec2(static_cast<float>(column) + patch.point.x - 0.5f, static_cast<float>(row) + patch.point.y - 0.5f) /
+      Vec2(map.width, map.height);
   const float v = std::min(std::abs(uv.y), 2 - uv.y);
-  const float theta = v * kPi;
-  const float phi = (uv.x - 0.5f) * 2 * kPi + environment_.rotation;
-  const float sine = std::sin(theta);
-  const Vec3 direction(std::cos(phi) * sine, std::cos(theta), std::sin(phi) * sine);
-  return {direction, sine > 0 ? density_times_sine(corners.at(inside), density.patches, map) / sine : 0};
+  const Vec2 polar = cos_sin_of_turns(v / 2);
+  const Vec2 azimuth = cos_sin_of_turns(uv.x - 0.5f + environment_.rotation / (2 * kPi));
+  const Vec3 direction(azimuth.x * polar.y, polar.x, azimuth.y * polar.y);
+  const float times_sine = density_times_sine(corners.at(patch.point), density.patches, map);
+  return {direction, polar.y > 0 ? times_sine / polar.y : 0, map_radiance(patch)};
 }
 
-float EnvironmentMap::map_pdf(const Vec3& direction, const Density& density) const {
-  if (!environment_.map) return uniform_pdf(density);
-  const float sine = safe_sqrt(1 - sqr(direction.y));
-  if (!(sine > 0)) return 0;
-  const image::Image& map = *environment_.map;
-  const TexelPatch p = patch_at(map, uv_of(direction));
-  return density_times_sine(corners_of(p, density.subtracted).at({p.x, p.y}), density.patches, map) / sine;
+EnvironmentMap::Value EnvironmentMap::map_value(const Vec3& direction, const Density& density) const {
+  if (!environment_.map) return {environment_.tint, uniform_pdf(density)};
+  const TexelPatch patch = patch_at(*environment_.map, uv_of(direction));
+  return {map_radiance(patch), map_pdf(patch, safe_sqrt(1 - sqr(direction.y)), density)};
 }
 
 Rgb EnvironmentMap::radiance(const Vec3& direction) const {
-  const Rgb radiance = map_radiance(direction);
+  const Rgb radiance =
+      environment_.map ? map_radiance(patch_at(*environment_.map, uv_of(direction))) : environment_.tint;
   return sun_ ? radiance + sun_->radiance(direction) : radiance;
+}
+
+EnvironmentMap::Value EnvironmentMap::value(const Vec3& direction, bool compensated) const {
+  const Density& density = density_for(compensated);
+  const Value map = map_value(direction, density);
+  if (!sun_) return map;
+  return {map.radiance + sun_->radiance(direction),
+          mix(map.pdf_solid_angle, sun_->pdf(direction), density.sun_probability)};
+}
+
+Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
+  if (!shows_backdrop()) return radiance(direction);
+  // The mean radiance is about that of a white surface.
+  constexpr float kBelow = 0.28f, kAbove = 0.5f;
+  const float t = std::clamp(0.5f + 0.8f * direction.y, 0.0f, 1.0f);
+  return Rgb(luminance(mean_) * mix(kBelow, kAbove, t * t * (3 - 2 * t)));
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u, bool compensated) const {
   const Density& density = density_for(compensated);
   if (!sun_) return sample_map(u, density);
   const float p = density.sun_probability;
-  Sample sample;
+  Sample sample{};
   if (u.x < p)
     sample.direction = sun_->sample({u.x / p, u.y});
   else
     sample = sample_map({std::min((u.x - p) / (1 - p), kOneMinusEpsilon), u.y}, density);
-  sample.pdf_solid_angle = pdf_solid_angle(sample.direction, compensated);
+  const Value value = this->value(sample.direction, compensated);
+  sample.pdf_solid_angle = value.pdf_solid_angle;
+  sample.radiance = value.radiance;
   return sample;
 }
 
 float EnvironmentMap::pdf_solid_angle(const Vec3& direction, bool compensated) const {
-  const Density& density = density_for(compensated);
-  const float map = map_pdf(direction, density);
-  return sun_ ? mix(map, sun_->pdf(direction), density.sun_probability) : map;
+  return value(direction, compensated).pdf_solid_angle;
 }
 
 }  // namespace etendue

@@ -29,14 +29,27 @@ class EnvironmentMap {
   explicit EnvironmentMap(const Environment& environment);
 
   bool black() const { return environment_.black(); }
-  bool visible() const { return environment_.visible; }
+  // Whether camera rays that leave the scene see anything: the environment, or the backdrop in its place.
+  bool visible() const { return environment_.visible || environment_.backdrop; }
   // Null: the colours determine the spectra.
   const EmissionSpectrum* spectrum() const { return environment_.spectrum.spectrum.get(); }
   // cd/m^2, from a unit direction.
   Rgb radiance(const Vec3& direction) const;
+  // The radiance from a direction and the density of sampling it, for less than the sum of their costs.
+  struct Value {
+    Rgb radiance;
+    float pdf_solid_angle;
+  };
+  Value value(const Vec3& direction, bool compensated = false) const;
+  // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above that is
+  // darker than a white surface in this environment. It emits no light.
+  Rgb seen_radiance(const Vec3& direction) const;
+  const EmissionSpectrum* seen_spectrum() const { return shows_backdrop() ? nullptr : spectrum(); }
+  bool shows_backdrop() const { return !environment_.visible && environment_.backdrop; }
   struct Sample {
     Vec3 direction;
     float pdf_solid_angle;
+    Rgb radiance;
   };
   Sample sample(Vec2 u, bool compensated = false) const;
   float pdf_solid_angle(const Vec3& direction, bool compensated = false) const;
@@ -50,7 +63,8 @@ class EnvironmentMap {
   void prepare_map();
   void prepare_sun(const Rgb& tint);
   void prepare_densities();
-  Rgb map_radiance(const Vec3& direction) const;
+  float weight(const Rgb& texel, float sine) const { return luminance(texel) * sine / largest_weight_; }
+  float total_weight() const;
 
   // The luminance above a constant, where that is positive, and the sun.
   struct Density {
@@ -61,16 +75,20 @@ class EnvironmentMap {
   // The densities at the corners of a patch between four texels: top left, top right, bottom left, bottom right.
   struct Corners;
   Corners corners_of(const TexelPatch& patch, float subtracted) const;
+  Rgb map_radiance(const TexelPatch& patch) const;
+  float map_pdf(const TexelPatch& patch, float sine, const Density& density) const;
   Piecewise2D patches_above(float subtracted) const;
   Sample sample_map(Vec2 u, const Density& density) const;
-  float map_pdf(const Vec3& direction, const Density& density) const;
+  Value map_value(const Vec3& direction, const Density& density) const;
   const Density& density_for(bool compensated) const { return compensated ? compensated_ : full_; }
   // The density of directions without a map.
   float uniform_pdf(const Density& density) const { return &density == &full_ ? 1 / (4 * kPi) : 0; }
 
   Environment environment_;
-  std::vector<float> weights_;  // per texel, luminance times sine, relative to the largest; empty without a map
-  std::vector<float> sines_;    // of the polar angles of the rows
+  std::vector<float> sines_;  // of the polar angles of the rows; empty without a map
+  // Weights of texels, luminance times sine, are relative to the largest: squares of the largest float would overflow,
+  // and the density does not depend on scale.
+  float largest_weight_ = 1;
   std::optional<SunCone> sun_;
   Rgb mean_{0};
   Density full_, compensated_;

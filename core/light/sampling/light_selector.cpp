@@ -47,7 +47,7 @@ void LightSelector::find_sources(std::span<const SelectableLight> lights) {
 }
 
 void LightSelector::build_tree(std::span<const SelectableLight> lights) {
-  std::vector<LightBounds> bounds(lights.size());
+  std::vector<LightBounds> bounds(tree_ ? 0 : lights.size());
   std::vector<float> infinite_powers;
   float all_power = 0;
   float area = 0;
@@ -59,7 +59,7 @@ void LightSelector::build_tree(std::span<const SelectableLight> lights) {
       infinite_.push_back(i);
       infinite_powers.push_back(light.power);
     } else if (light.power > 0) {
-      bounds[i] = light.bounds;
+      if (!tree_) bounds[i] = light.bounds;
       around.extend(light.bounds.box);
       area += light.area;
     }

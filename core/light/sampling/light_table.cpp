@@ -174,18 +174,20 @@ bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling samp
   const float through = by_position && !portals_.empty() ? portals_.probability(from) : 0;
   if (u.x < through) {
     sample.wi = portals_.sample(from, {u.x / through, u.y});
-    sample.pdf = (1 - through) * environment_.pdf_solid_angle(sample.wi);
+    const auto value = environment_.value(sample.wi);
+    sample.pdf = (1 - through) * value.pdf_solid_angle;
+    sample.radiance = value.radiance;
   } else {
     const float rest = std::min((u.x - through) / (1 - through), kOneMinusEpsilon);
     const auto direction = environment_.sample({rest, u.y}, is_compensated(sampling));
     sample.wi = direction.direction;
     sample.pdf = (1 - through) * direction.pdf_solid_angle;
+    sample.radiance = direction.radiance;
   }
   if (through > 0) sample.pdf += through * portals_.pdf(from, sample.wi);
   sample.kind = LightKind::environment;
   sample.distance = kInfinity;
   sample.delta = false;
-  sample.radiance = environment_.radiance(sample.wi);
   return sample.pdf > 0;
 }
 
@@ -196,14 +198,22 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at,
   return pdf > 0 ? probability(light, from, sampling) * pdf : 0;
 }
 
-float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const {
-  if (empty(sampling) || environment_.black()) return 0;
-  float pdf = environment_.pdf_solid_angle(direction, is_compensated(sampling));
+EnvironmentMap::Value LightTable::environment_value(const Vec3& from, const Vec3& direction,
+                                                    LightSampling sampling) const {
+  EnvironmentMap::Value value = environment_.value(direction, is_compensated(sampling));
+  if (empty(sampling) || environment_.black()) return {value.radiance, 0};
+  float& pdf = value.pdf_solid_angle;
   if (sampling.strategy != LightStrategy::emission_pdf && !portals_.empty()) {
     const float through = portals_.probability(from);
     pdf = (1 - through) * pdf + (through > 0 ? through * portals_.pdf(from, direction) : 0);
   }
-  return pdf > 0 ? probability(environment_number(), Vec3(0), sampling) * pdf : 0;
+  if (pdf > 0) pdf *= probability(environment_number(), Vec3(0), sampling);
+  return value;
+}
+
+float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const {
+  if (empty(sampling) || environment_.black()) return 0;
+  return environment_value(from, direction, sampling).pdf_solid_angle;
 }
 
 }  // namespace etendue

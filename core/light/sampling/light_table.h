@@ -61,6 +61,8 @@ class LightTable {
   // those of the light's source.
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightSampling sampling) const;
   float pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
+  // The same, and the radiance of the environment from this direction.
+  EnvironmentMap::Value environment_value(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.
   float probability(uint32_t light, const Vec3& from, LightSampling sampling) const {
     return selector(sampling).probability(light, from, sampling.strategy);

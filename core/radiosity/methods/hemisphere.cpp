@@ -1,4 +1,4 @@
-// Hemisphere sampling, also known as Nusselt's analogue                           [Lang, sec. 10.1.4, eq. 10.91-10.94]
+// Hemisphere sampling                                                             [Lang, sec. 10.1.4, eq. 10.91-10.93]
 //
 // Cosine-distributed rays from points of the element: F_ij is the fraction of the rays whose first hit is on element j.
 // The standard deviation of N independent rays is sqrt(F (1 - F) / N). All factors of a row share the rays, and their

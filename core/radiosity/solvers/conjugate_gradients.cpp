@@ -35,17 +35,13 @@ class SymmetricSystem {
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = scale_[i] > 0 ? system_.source[index(i)] / scale_[i] : 0;
     return y;
   }
-  Vector times(const Vector& y) const {
-    const Vector scaled = scale_.cwiseProduct(y);
-    Vector result(y.size());
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      double sum = 0;
-      if (scale_[i] > 0)
-        for (const FormFactor& f : system_.factors->exchanges(index(i)))
-          sum += static_cast<double>(f.value) * scaled[f.element];
-      result[i] = y[i] - scale_[i] * sum;
-    }
-    return result;
+  // Element i of the product with y.
+  double product_at(Eigen::Index i, const Vector& y) const {
+    double sum = 0;
+    if (scale_[i] > 0)
+      for (const FormFactor& f : system_.factors->exchanges(index(i)))
+        sum += static_cast<double>(f.value) * scale_[f.element] * y[f.element];
+    return y[i] - scale_[i] * sum;
   }
   std::vector<double> radiosity(const Vector& y) const {
     std::vector<double> b(system_.size());
@@ -63,28 +59,51 @@ class SymmetricSystem {
   Vector right_;
 };
 
-Solution solve_by_conjugate_gradients(const RadiositySystem& system, const SolverSettings& settings) {
-  SolverProgress progress(system, settings);
-  const SymmetricSystem symmetric(system);
-  Vector y = symmetric.initial(), residual = symmetric.right() - symmetric.times(y), direction = residual;
-  double squared = residual.squaredNorm();
-  while (progress.should_continue(symmetric.radiosity(y)) && squared > 0) {
-    const Vector image = symmetric.times(direction);
-    const double step = squared / direction.dot(image);
-    y += step * direction;
-    residual -= step * image;
-    const double next = residual.squaredNorm();
-    direction = residual + (next / squared) * direction;
-    squared = next;
+class ConjugateGradients final : public SolverIteration {
+ public:
+  explicit ConjugateGradients(const RadiositySystem& system)
+      : system_(system), symmetric_(system), y_(symmetric_.initial()), residual_(y_.size()), image_(y_.size()) {
+    for (Eigen::Index i = 0; i < y_.size(); ++i) residual_[i] = symmetric_.right()[i] - symmetric_.product_at(i, y_);
+    direction_ = residual_;
+    squared_ = residual_.squaredNorm();
   }
-  return progress.finish(symmetric.radiosity(y));
+
+  bool sweep(const KeepGoing* keep_going) override {
+    const auto cost = [&](size_t i) { return 1 + system_.factors->exchanges(i).size(); };
+    const auto multiply = [&](size_t i) {
+      const auto index = static_cast<Eigen::Index>(i);
+      image_[index] = symmetric_.product_at(index, direction_);
+    };
+    if (!continue_loop(next_, system_.size(), keep_going, cost, multiply)) return false;
+    next_ = 0;
+    const double step = squared_ / direction_.dot(image_);
+    y_ += step * direction_;
+    residual_ -= step * image_;
+    const double next = residual_.squaredNorm();
+    direction_ = residual_ + (next / squared_) * direction_;
+    squared_ = next;
+    return true;
+  }
+  std::vector<double> radiosity() const override { return symmetric_.radiosity(y_); }
+  bool can_improve() const override { return squared_ > 0; }
+
+ private:
+  const RadiositySystem& system_;
+  SymmetricSystem symmetric_;
+  Vector y_, residual_, direction_, image_;
+  double squared_ = 0;  // norm of the residual
+  size_t next_ = 0;
+};
+
+std::unique_ptr<SolverIteration> begin_conjugate_gradients(const RadiositySystem& system, const SolverSettings&) {
+  return std::make_unique<ConjugateGradients>(system);
 }
 
 }  // namespace
 
 SolverInfo conjugate_gradients_info() {
   return {"Conjugate gradients of the symmetric system. Fewest sweeps, above all for high reflectances",
-          solve_by_conjugate_gradients};
+          begin_conjugate_gradients, 6 * sizeof(double)};
 }
 
 }  // namespace etendue::radiosity

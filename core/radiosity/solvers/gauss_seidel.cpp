@@ -9,15 +9,15 @@
 namespace etendue::radiosity {
 namespace {
 
-Solution solve_by_gauss_seidel(const RadiositySystem& system, const SolverSettings& settings) {
-  return relax(system, settings, 1);
+std::unique_ptr<SolverIteration> begin_gauss_seidel(const RadiositySystem& system, const SolverSettings&) {
+  return std::make_unique<Relaxation>(system, 1);
 }
 
 }  // namespace
 
 SolverInfo gauss_seidel_info() {
   return {"Gathers light at every element in turn, with the newest values. About twice as fast as Jacobi's iteration",
-          solve_by_gauss_seidel};
+          begin_gauss_seidel, sizeof(double)};
 }
 
 }  // namespace etendue::radiosity

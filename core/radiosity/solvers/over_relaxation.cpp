@@ -8,15 +8,15 @@
 namespace etendue::radiosity {
 namespace {
 
-Solution solve_by_over_relaxation(const RadiositySystem& system, const SolverSettings& settings) {
-  return relax(system, settings, settings.relaxation);
+std::unique_ptr<SolverIteration> begin_over_relaxation(const RadiositySystem& system, const SolverSettings& settings) {
+  return std::make_unique<Relaxation>(system, settings.relaxation);
 }
 
 }  // namespace
 
 SolverInfo over_relaxation_info() {
   return {"Gauss-Seidel with the relaxation factor. Factors slightly above 1 are fastest; 2 and more diverge",
-          solve_by_over_relaxation};
+          begin_over_relaxation, sizeof(double)};
 }
 
 }  // namespace etendue::radiosity

@@ -28,22 +28,28 @@ std::vector<double> with_ambient(const RadiositySystem& system, const Shooting& 
   return b;
 }
 
-Solution solve_progressively(const RadiositySystem& system, const SolverSettings& settings) {
-  SolverProgress progress(system, settings);
-  Shooting shooting(system);
-  std::vector<double> b = with_ambient(system, shooting);
-  while (progress.should_continue(b)) {
-    shooting.sweep();
-    b = with_ambient(system, shooting);
-  }
-  return progress.finish(std::move(b));
+class Progressive final : public SolverIteration {
+ public:
+  explicit Progressive(const RadiositySystem& system) : system_(system), shooting_(system) {}
+
+  bool sweep(const KeepGoing* keep_going) override { return shooting_.sweep(keep_going); }
+  std::vector<double> radiosity() const override { return with_ambient(system_, shooting_); }
+  bool can_improve() const override { return !shooting_.is_done(); }
+
+ private:
+  const RadiositySystem& system_;
+  Shooting shooting_;
+};
+
+std::unique_ptr<SolverIteration> begin_progressive(const RadiositySystem& system, const SolverSettings&) {
+  return std::make_unique<Progressive>(system);
 }
 
 }  // namespace
 
 SolverInfo progressive_info() {
   return {"Shooting with an ambient term for the light that has not been shot: the best early results",
-          solve_progressively};
+          begin_progressive, 3 * sizeof(double)};
 }
 
 }  // namespace etendue::radiosity

@@ -17,26 +17,36 @@ class Shooting {
     for (size_t i = 0; i < power_.size(); ++i) power_[i] = system.factors->areas()[i] * std::abs(unshot_[i]);
   }
 
-  // Shoots until the factors of as many rows as there are elements have been used, or nothing is left.
-  void sweep() {
+  // As many shots as there are elements, or until nothing is left. False if it was stopped; the next call continues.
+  bool sweep(const KeepGoing* keep_going) {
+    // The search for the strongest element takes as many operations as there are elements.
+    const auto cost = [&](size_t) { return system_.size(); };
+    if (!continue_loop(next_, system_.size(), keep_going, cost, [&](size_t) { shoot(); })) return false;
+    next_ = 0;
+    return true;
+  }
+  // One shot: [Lang, fig. 10.12] with the diagonal element of the row that is relaxed.
+  void shoot() {
     const FormFactors& factors = *system_.factors;
-    for (size_t n = 0; n < system_.size(); ++n) {
-      const size_t i = strongest();
-      const double shot = unshot_[i];
-      if (shot == 0) return;
-      unshot_[i] = power_[i] = 0;
-      radiosity_[i] += shot;
-      // Reciprocity: the column of the matrix is a row of the symmetric exchanges.
-      for (const FormFactor& f : factors.exchanges(i)) {
-        const size_t j = f.element;
-        unshot_[j] += system_.reflectance[j] * static_cast<double>(f.value) / factors.areas()[j] * shot;
-        power_[j] = factors.areas()[j] * std::abs(unshot_[j]);
-      }
+    const size_t i = is_done_ ? 0 : strongest();
+    if (is_done_ || unshot_[i] == 0) return void(is_done_ = true);
+    const double shot = unshot_[i] / system_.diagonal(i);
+    unshot_[i] = power_[i] = 0;
+    radiosity_[i] += shot;
+    ++shots_;
+    // Reciprocity: the column of the matrix is a row of the symmetric exchanges.
+    for (const FormFactor& f : factors.exchanges(i)) {
+      const size_t j = f.element;
+      if (j == i) continue;
+      unshot_[j] += system_.reflectance[j] * static_cast<double>(f.value) / factors.areas()[j] * shot;
+      power_[j] = factors.areas()[j] * std::abs(unshot_[j]);
     }
   }
 
   const std::vector<double>& radiosity() const { return radiosity_; }
   const std::vector<double>& unshot() const { return unshot_; }
+  size_t shots() const { return shots_; }
+  bool is_done() const { return is_done_; }  // nothing is left to shoot
   // The power A |r| that has not been shot, W. It never grows if no element reflects more than it receives.
   double unshot_power() const { return std::accumulate(power_.begin(), power_.end(), 0.0); }
 
@@ -49,6 +59,8 @@ class Shooting {
   const RadiositySystem& system_;
   std::vector<double> radiosity_, unshot_;
   std::vector<double> power_;  // A |r|
+  size_t next_ = 0, shots_ = 0;
+  bool is_done_ = false;
 };
 
 }  // namespace etendue::radiosity

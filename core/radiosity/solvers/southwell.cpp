@@ -7,11 +7,20 @@
 namespace etendue::radiosity {
 namespace {
 
-Solution solve_by_southwell(const RadiositySystem& system, const SolverSettings& settings) {
-  SolverProgress progress(system, settings);
-  Shooting shooting(system);
-  while (progress.should_continue(shooting.radiosity())) shooting.sweep();
-  return progress.finish(shooting.radiosity());
+class Southwell final : public SolverIteration {
+ public:
+  explicit Southwell(const RadiositySystem& system) : shooting_(system) {}
+
+  bool sweep(const KeepGoing* keep_going) override { return shooting_.sweep(keep_going); }
+  std::vector<double> radiosity() const override { return shooting_.radiosity(); }
+  bool can_improve() const override { return !shooting_.is_done(); }
+
+ private:
+  Shooting shooting_;
+};
+
+std::unique_ptr<SolverIteration> begin_southwell(const RadiositySystem& system, const SolverSettings&) {
+  return std::make_unique<Southwell>(system);
 }
 
 }  // namespace
@@ -20,7 +29,7 @@ SolverInfo southwell_info() {
   return {
       "The element with the largest unshot power shoots it to all others. Bright light first; a sweep is as many "
       "shots as there are elements",
-      solve_by_southwell};
+      begin_southwell, 3 * sizeof(double)};
 }
 
 }  // namespace etendue::radiosity

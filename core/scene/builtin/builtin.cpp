@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/provided_files.h"
 #include "scene/builtin/caustic_pool.h"
 #include "scene/builtin/cloud.h"
 #include "scene/builtin/cornell.h"
@@ -46,7 +47,8 @@ Result<Scene> load(const std::string& file_or_name) {
   if (const Builtin* builtin = find_builtin(file_or_name)) return builtin->make();
   const std::filesystem::path file(file_or_name);
   std::error_code ignored;
-  if (!file.has_extension() && !file.has_parent_path() && !std::filesystem::exists(file, ignored))
+  if (!file.has_extension() && !file.has_parent_path() && !provided_file(file) &&
+      !std::filesystem::exists(file, ignored))
     return input_error("there is no built-in scene '" + file_or_name + "'; use a .gltf or .glb file, or one of " +
                        builtin_names());
   return load_gltf(file_or_name);

@@ -119,36 +119,56 @@ void add_emission(PathWavefront<M>& paths, Combination combination = {},
   });
 }
 
+// Whether the current misses see the environment.
+template <class M>
+bool sees_environment(const PathWavefront<M>& paths) {
+  const EnvironmentMap& map = paths.scene().lights().environment();
+  return !map.black() && (paths.length() > 1 || map.visible());
+}
+
+// The radiance that a miss sees. Camera rays see the backdrop in place of a hidden environment.
+template <class M>
+Rgb radiance_of_miss(const PathWavefront<M>& paths, int miss) {
+  const EnvironmentMap& map = paths.scene().lights().environment();
+  const Vec3& direction = paths.miss_direction(miss);
+  return paths.length() == 1 ? map.seen_radiance(direction) : map.radiance(direction);
+}
+
+// Adds the radiance of the environment that a miss sees, times a weight.
+template <class M>
+void add_environment_of_miss(PathWavefront<M>& paths, int miss, const Rgb& radiance, float weight) {
+  auto& path = paths.missed_path(miss);
+  const int number = paths.path_of_miss(miss);
+  const EnvironmentMap& map = paths.scene().lights().environment();
+  const EmissionSpectrum* spectrum = paths.length() == 1 ? map.seen_spectrum() : map.spectrum();
+  const auto contribution = terminal_throughput(paths, path.throughput, number) *
+                            paths.color().emission(number, radiance, spectrum) * weight;
+  path.radiance += contribution;
+  if (paths.recorder()) [[unlikely]]
+    record_emission(paths, number, radiance, weight, contribution);
+}
+
 // Adds the environment radiance for the paths that left the scene, times weigh(miss).
 template <class M, class Weigh>
 void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
-  const LightTable& lights = paths.scene().lights();
-  const EnvironmentMap& map = lights.environment();
-  if (map.black() || (paths.length() == 1 && !map.visible())) return;
-  const bool recording = paths.recorder() != nullptr;
-  for (int i = 0; i < paths.miss_count(); ++i) {
-    auto& path = paths.missed_path(i);
-    const Vec3& direction = paths.miss_direction(i);
-    const Rgb radiance = map.radiance(direction);
-    const float weight = weigh(i);
-    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) *
-                              paths.color().emission(paths.path_of_miss(i), radiance, map.spectrum()) * weight;
-    path.radiance += contribution;
-    if (recording) [[unlikely]]
-      record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);
-  }
+  if (!sees_environment(paths)) return;
+  for (int i = 0; i < paths.miss_count(); ++i) add_environment_of_miss(paths, i, radiance_of_miss(paths, i), weigh(i));
 }
 
 template <class M>
 void add_environment(PathWavefront<M>& paths, Combination combination = {},
                      LightSampling sampling = LightStrategy::automatic) {
+  if (!sees_environment(paths)) return;
   const LightTable& lights = paths.scene().lights();
-  add_environment_weighted(paths, [&](int i) {
-    const float bsdf_pdf = paths.missed_path(i).pdf;
-    if (!combination || bsdf_pdf == 0) return 1.0f;
-    return mis_weight(*combination, bsdf_pdf,
-                      lights.pdf_environment(paths.missed_path(i).from, paths.miss_direction(i), sampling));
-  });
+  for (int i = 0; i < paths.miss_count(); ++i) {
+    const auto& path = paths.missed_path(i);
+    if (!combination || path.pdf == 0) {
+      add_environment_of_miss(paths, i, radiance_of_miss(paths, i), 1);
+      continue;
+    }
+    const auto value = lights.environment_value(path.from, paths.miss_direction(i), sampling);
+    add_environment_of_miss(paths, i, value.radiance, mis_weight(*combination, path.pdf, value.pdf_solid_angle));
+  }
 }
 
 // The spectrum of a sampled light; null if its colour determines it, and in RGB models.

@@ -63,7 +63,26 @@ TEST_F(CliAutomatic, WrongUseIsExplained) {
   expect_error("render cornell --integrator auto --set auto.allow=all -o a.exr", 2, "unbiased, consistent, anything");
   expect_error("render cornell --integrator auto --set auto.error=psnr -o a.exr", 2, "rmse, relative, displayed");
   expect_error("advise cornell --error 0.1 --set render.integrator=auto", 2, "etendue advise");
-  expect_error("bench cornell --methods path,auto --samples 2 -o b", 2, "the automatic choice is not a method");
+  expect_error("bench cornell --methods path,auto:allow=all --samples 2 -o b", 2, "unbiased, consistent, anything");
+}
+
+// The time of the pilots is part of the curve. With a number of samples the choice is that of `render`.
+TEST_F(CliAutomatic, IsAMethodOfABenchmark) {
+  const Outcome r =
+      run("bench glass-caustic --set 'film.paths=EDS*L' --size 32x32 --methods "
+          "'path,auto,auto:allow=consistent:error=rmse' "
+          "--samples 4 --reference-samples 16 --repeats 2 --no-cache -o b");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("has the smallest predicted relative error"), std::string::npos) << r.err;
+  const json summary = json::parse(slurp(folder_ / "b/summary.json"));
+  ASSERT_EQ(summary["methods"].size(), 3u);
+  EXPECT_TRUE(summary["methods"][0]["choices"].empty());
+  const json& automatic = summary["methods"][1];
+  ASSERT_EQ(automatic["choices"].size(), 2u);
+  EXPECT_EQ(automatic["spp"], 4);
+  EXPECT_NE(summary["methods"][2]["choices"][0].get<std::string>().find("RMSE"), std::string::npos);
+  // Four samples of an image this small take milliseconds, the choice at least a million samples of a pixel.
+  EXPECT_GT(automatic["seconds"].get<double>(), 10 * summary["methods"][0]["seconds"].get<double>());
 }
 
 // A checkpoint stores the chosen method; the rendering continues with it.

@@ -106,6 +106,33 @@ TEST_F(Merge, RegionsAndStatistics) {
   expect_same_image("one-with-depth.exr", "merged.exr");
 }
 
+// A part compares each sample with the earlier ones of its pixel in the part, so the statistics of tails differ from those
+// of one run. Order and grouping do not matter.
+TEST_F(Merge, TailStatisticsAreCloseToThoseOfOneRun) {
+  const std::string scene = "render cornell-spheres --size 40x24 --seed 5 ";
+  const auto health = [&](const std::string& command) {
+    const Outcome r = run(command + " --json -");
+    EXPECT_EQ(r.code, 0) << r.err;
+    const auto statistics = nlohmann::json::parse(r.out);
+    auto values = statistics.at("health");
+    values["khat"] = statistics.at("khat");
+    return values;
+  };
+  const auto one = health(scene + "--spp 256 -o one.exr");
+  for (const auto& [samples, part] : {std::pair("0:100", "a"), std::pair("100:130", "b"), std::pair("130:256", "c")}) {
+    const Outcome r = run(scene + "--samples " + samples + " -o " + part + ".exr");
+    ASSERT_EQ(r.code, 0) << r.err;
+  }
+  const auto merged = health("merge a.exr b.exr c.exr -o merged.exr");
+  EXPECT_EQ(merged, health("merge c.exr a.exr b.exr -o again.exr"));
+  merge("c.exr b.exr --partial -o group.exr");
+  EXPECT_EQ(merged, health("merge group.exr a.exr -o grouped.exr"));
+  EXPECT_EQ(merged["verdict"], one["verdict"]);
+  EXPECT_NEAR(merged["khat"].get<double>(), one["khat"].get<double>(), 2 * one["khat_error"].get<double>());
+  const double vov = one["vov"];
+  EXPECT_NEAR(merged["vov"].get<double>(), vov, 0.2 * vov);
+}
+
 // The program is interrupted after its first checkpoint, or ends before if it is fast.
 TEST_F(Merge, InterruptedPartsAreResumed) {
   const std::string samples = "--samples 0:600 ";

@@ -160,6 +160,7 @@ Result<render::Document> open(const View& view, int size, bool environment_visib
   auto d = render::new_document(view.file.string());
   if (d && !view.environment.empty()) d = render::with_environment(*d, view.environment.string());
   if (d && !environment_visible) d = render::with(*d, "environment.visible", false);
+  if (d) d = render::with(*d, "environment.backdrop", false);
   if (!d) return d.error();
   if (!view.pictures.empty()) as_published(view, *d);
   if (view.from) d->camera = needs_tangent(*d->scene, *view.from);

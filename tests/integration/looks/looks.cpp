@@ -9,6 +9,8 @@
 //                                                  renderings next to published Cycles images, and a table of FLIP;
 //                                                  NAME=VALUE sets a parameter of all materials
 //   looks --builtin OUT.png [TILE [SAMPLES]]       the built-in scenes, and the mean luminance of each
+//   looks --pictures OUT.png TILE COLUMNS (FILE TEXT)...
+//                                                  image files, each with a text (tools/contact_sheet.sh)
 //
 // The exit code is 1 if a sample was not a finite, non-negative number.
 #include <cstdio>
@@ -161,15 +163,27 @@ int make_builtin_sheet(const std::string& out, int tile, uint32_t samples) {
   return invalid > 0 ? 1 : 0;
 }
 
+// A file that cannot be read leaves its tile empty.
+int make_picture_sheet(const std::string& out, int tile, int columns, std::span<const std::string> files_and_texts) {
+  Sheet sheet(tile, columns);
+  for (size_t i = 0; i + 1 < files_and_texts.size(); i += 2) {
+    const auto picture = thumbnail(files_and_texts[i], tile);
+    sheet.add(picture ? &*picture : nullptr, files_and_texts[i + 1]);
+  }
+  return save(sheet, out);
+}
+
 int run(std::vector<std::string> args) {
   const auto take = [&](const char* flag) { return std::erase(args, flag) > 0; };
   const bool beside = take("--beside"), table = take("--references"), of_scenes = take("--scenes"),
-             builtin = take("--builtin"), fidelity = take("--fidelity");
+             builtin = take("--builtin"), pictures = take("--pictures"), fidelity = take("--fidelity");
   const auto number = [&](size_t i, int usual) {
     return args.size() > i ? std::max(1, std::atoi(args[i].c_str())) : usual;
   };
   if (builtin && !args.empty())
     return make_builtin_sheet(args[0], number(1, 192), static_cast<uint32_t>(number(2, 256)));
+  if (pictures && args.size() >= 5)
+    return make_picture_sheet(args[0], number(1, 160), number(2, 8), std::span(args).subspan(3));
   if (!args.empty() && !std::filesystem::is_directory(args[0] + "/gltf")) {
     std::fprintf(stderr, "looks: %s: has no folder gltf; expected the folder of the test data\n", args[0].c_str());
     return 3;
@@ -186,7 +200,8 @@ int run(std::vector<std::string> args) {
   std::fprintf(stderr,
                "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]"
                " | looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES [NAME=VALUE]]]]"
-               " | looks --scenes DATA OUT.png [SAMPLES [SIZE]] | looks --builtin OUT.png [TILE [SAMPLES]]\n");
+               " | looks --scenes DATA OUT.png [SAMPLES [SIZE]] | looks --builtin OUT.png [TILE [SAMPLES]]"
+               " | looks --pictures OUT.png TILE COLUMNS (FILE TEXT)...\n");
   return 2;
 }
 

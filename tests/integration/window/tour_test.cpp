@@ -1,4 +1,5 @@
-// The tour of docs/guide/first-steps.md, step by step in a real window: it ends without an error.
+// The tour of docs/guide/first-steps.md, step by step in a real window: it ends without an error
+// and without a warning.
 #include <cmath>
 
 #include "window_test.h"
@@ -13,9 +14,18 @@ class Tour : public Window {
   }
   bool becomes_number(const std::string& name, double value) {
     constexpr double kRounding = 1e-6;  // of single precision
-    return user_->wait_until([&](const json& report) {
-      return std::abs(report["parameters"][name].get<double>() - value) < kRounding;
-    });
+    return user_->wait_until(
+        [&](const json& report) { return std::abs(report["parameters"][name].get<double>() - value) < kRounding; });
+  }
+  // The messages that are not confirmations of what the user did.
+  std::vector<std::string> warnings() {
+    std::vector<std::string> found;
+    for (const std::string message : user_->report()["log"]) {
+      const bool is_confirmation = message.starts_with("Saved ") || message.starts_with("Pinned as B") ||
+                                   message.starts_with("Integrator chosen automatically");
+      if (!is_confirmation) found.push_back(message);
+    }
+    return found;
   }
   // Replaces the value of a number field by typing.
   void enter(const std::string& field, const std::string& value) {
@@ -101,6 +111,7 @@ TEST_F(Tour, FiveMinutesInTheWindow) {
   user_->press("Return");
   EXPECT_TRUE(user_->wait_until([&](const json&) { return fs::exists(folder_ / "tour.etendue"); }));
   EXPECT_EQ(user_->report()["errors"], json::array());
+  EXPECT_EQ(warnings(), std::vector<std::string>());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class Window : public ::testing::Test {
               (std::string("etendue-window-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    user_ = std::make_unique<test::WindowUser>(ETENDUE_BINARY, folder_, "cornell");
+    user_ = std::make_unique<test::WindowUser>(ETENDUE_BINARY, folder_, scene_);
     user_->resize(1280, 720);
   }
   void TearDown() override {
@@ -47,6 +47,7 @@ class Window : public ::testing::Test {
   }
 
   fs::path folder_;
+  std::string scene_ = "cornell";
   std::unique_ptr<test::WindowUser> user_;
   bool has_ended_ = false;  // the test has closed the viewer
 };

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "file_drag.h"
+
 namespace etendue::test {
 namespace {
 
@@ -150,16 +152,30 @@ void WindowUser::xdotool(const std::string& arguments) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("xdotool " + arguments + " failed");
 }
 
-void WindowUser::move_to(const std::string& item) {
+void WindowUser::move_to(const std::string& item) { move_in(item, 0.5, 0.5); }
+
+void WindowUser::move_in(const std::string& item, double share_x, double share_y) {
   const json at = placement(item);
-  const int x = static_cast<int>(at[0].get<double>() + at[2].get<double>() / 2);
-  const int y = static_cast<int>(at[1].get<double>() + at[3].get<double>() / 2);
+  const int x = static_cast<int>(at[0].get<double>() + share_x * at[2].get<double>());
+  const int y = static_cast<int>(at[1].get<double>() + share_y * at[3].get<double>());
   xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
 }
 
-void WindowUser::click(const std::string& item, int button, int count) {
-  move_to(item);
+void WindowUser::click(const std::string& item, int button, int count) { click_in(item, 0.5, 0.5, button, count); }
+
+void WindowUser::click_in(const std::string& item, double x, double y, int button, int count) {
+  move_in(item, x, y);
   xdotool("click --repeat " + std::to_string(count) + " --delay 60 " + std::to_string(button));
+  settle();
+}
+
+void WindowUser::drag_in(const std::string& item, double x, double y, int dx, int dy) {
+  move_in(item, x, y);
+  drag_from_pointer(dx, dy);
+}
+
+void WindowUser::drop(const std::vector<fs::path>& files) {
+  drag_files(display_, std::stoul(window_), files);
   settle();
 }
 
@@ -178,10 +194,17 @@ void WindowUser::drag_at(int x, int y, int dx, int dy) {
   drag_from_pointer(dx, dy);
 }
 
+// The viewer draws a frame between press, movements and release, however long its frames are.
 void WindowUser::drag_from_pointer(int dx, int dy) {
-  xdotool("mousedown 1 sleep 0.05 mousemove_relative -- " + std::to_string(dx / 2) + " " + std::to_string(dy / 2) +
-          " sleep 0.05 mousemove_relative -- " + std::to_string(dx - dx / 2) + " " + std::to_string(dy - dy / 2) +
-          " sleep 0.05 mouseup 1");
+  const auto move_by = [&](int x, int y) {
+    xdotool("mousemove_relative -- " + std::to_string(x) + " " + std::to_string(y));
+    settle();
+  };
+  xdotool("mousedown 1");
+  settle();
+  move_by(dx / 2, dy / 2);
+  move_by(dx - dx / 2, dy - dy / 2);
+  xdotool("mouseup 1");
   settle();
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace etendue::test {
 
@@ -36,6 +37,9 @@ class WindowUser {
   // A position of the window in pixels.
   void click_at(int x, int y);
   void click(const std::string& item, int button = 1, int count = 1);
+  // A position relative to the upper left corner of the item, in shares of its size.
+  void click_in(const std::string& item, double x, double y, int button = 1, int count = 1);
+  void drag_in(const std::string& item, double x, double y, int dx, int dy);
   void drag(const std::string& item, int dx, int dy);
   void drag_at(int x, int y, int dx, int dy);
   void scroll(const std::string& item, int notches);
@@ -43,6 +47,8 @@ class WindowUser {
   void press(const std::string& keys);  // "ctrl+a" in the notation of xdotool
   void type(const std::string& text);
   void resize(int width, int height);
+  // Another program drops files on the window. Throws std::runtime_error if it does not take them.
+  void drop(const std::vector<std::filesystem::path>& files);
 
   bool is_running();
   // Waits for the end of the viewer and returns its exit code; -1 if it crashed or has not ended after ten seconds.
@@ -51,6 +57,7 @@ class WindowUser {
  private:
   void xdotool(const std::string& arguments);
   json placement(const std::string& item);
+  void move_in(const std::string& item, double x, double y);
   void drag_from_pointer(int dx, int dy);
 
   std::filesystem::path folder_;

@@ -74,6 +74,43 @@ TEST(Advisor, MissingPathsCountAgainstTheTarget) {
   EXPECT_FALSE(of(cut, "path:sampler=sobol").suitable);
 }
 
+// Scenes that few integrators support: scattering media, wavelengths, and diffuse surfaces for radiosity.
+TEST(Advisor, RanksIntegratorsOfMedia) {
+  const Ranking ranking = ranked(sized(*render::new_document("fog"), 24), 0.05, 0.02);
+  ASSERT_TRUE(ranking.best());
+  for (const Advice& advice : ranking.methods) {
+    const auto* info = integrator::find_integrator(advice.method.document.method.integrator);
+    if (info->scattering_media) continue;
+    EXPECT_FALSE(advice.suitable) << advice.method.name;
+    EXPECT_NE(advice.reason.find("media"), std::string::npos) << advice.reason;
+  }
+  EXPECT_TRUE(of(ranking, "path:sampler=sobol").suitable);
+  EXPECT_TRUE(ranking.table.volumes);
+  EXPECT_GT(ranking.table.total.energy.mean, 0);
+}
+
+TEST(Advisor, RanksIntegratorsOfSpectralScenes) {
+  const Ranking ranking = ranked(sized(*render::new_document("prism"), 24), 0.5, 0.02);
+  ASSERT_TRUE(ranking.best());
+  for (const Advice& advice : ranking.methods) {
+    const auto* info = integrator::find_integrator(advice.method.document.method.integrator);
+    if (info->spectral) continue;
+    EXPECT_FALSE(advice.suitable) << advice.method.name;
+    EXPECT_NE(advice.reason.find("spectral"), std::string::npos) << advice.reason;
+  }
+  EXPECT_TRUE(integrator::find_integrator(ranking.best()->method.document.method.integrator)->spectral);
+}
+
+TEST(Advisor, RadiosityIsBiased) {
+  const Ranking ranking = ranked(cornell(16), 0.05, 0.02);
+  const Advice radiosity = of(ranking, "radiosity:sampler=sobol");
+  EXPECT_FALSE(radiosity.suitable);
+  EXPECT_TRUE(radiosity.reason.starts_with("biased")) << radiosity.reason;
+  // It renders no scattering media, which is the first reason.
+  const Advice in_fog = of(ranked(sized(*render::new_document("fog"), 16), 0.5, 0.02), "radiosity:sampler=sobol");
+  EXPECT_NE(in_fog.reason.find("media"), std::string::npos) << in_fog.reason;
+}
+
 TEST(Advisor, LargeImagesHaveASmallPilot) {
   auto d = cornell(8);
   d.width = 400;

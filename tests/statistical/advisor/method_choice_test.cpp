@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "advisor/choice_revision.h"
+#include "advisor/integrator_costs.h"
+#include "advisor/minimised_error.h"
 #include "advisor/reference_integrator.h"
 #include "scene/builtin/builtin.h"
 #include "scene/compiled_scene.h"
@@ -150,6 +154,97 @@ TEST(MethodChoice, UsesTheGivenCosts) {
     };
     EXPECT_EQ(chosen(builtin("cornell", 24), {.cost = cost}).method.integrator, cheap);
   }
+}
+
+TEST(MethodChoice, EveryIntegratorHasAMeasuredCost) {
+  for (const auto& info : integrator::integrator_infos())
+    EXPECT_TRUE(advisor::has_measured_cost(info.name)) << info.name << ": measure it with bench/methods_bench";
+  EXPECT_GT(advisor::time_per_ray("path-guided"), 1.5 * advisor::time_per_ray("path"));
+}
+
+// FLIP is not proportional to noise: four times the samples divide it by less than two.
+TEST(MethodChoice, MinimisesFlip) {
+  auto d = builtin("spot-indirect", 48);
+  d.automatic.error = render::MinimisedError::flip;
+  const MethodChoice choice = chosen(d);
+  EXPECT_NE(choice.reason.find("predicted FLIP"), std::string::npos) << choice.reason;
+  for (const char* name : {"path", "bdpt"}) {
+    EXPECT_GT(of(choice, name).predicted_error, 0);
+    EXPECT_LT(of(choice, name).predicted_error, of(choice, name).pilot_error + 0.1);
+  }
+  EXPECT_EQ(nlohmann::json::parse(advisor::choice_json(choice))["error"], "flip");
+
+  // Where FLIP is small, its power is proportional to noise.
+  render::Document path = builtin("cornell", 64);
+  path.method.sampler = "random";
+  const auto display = d.display.transform();
+  const auto error = [&](uint32_t samples) {
+    return advisor::measured_error(render::rendered(path, samples, 2), d.automatic.error, display);
+  };
+  const double few = error(16).value, many = error(64).value;
+  EXPECT_NEAR(few / many, 2, 0.3);
+  EXPECT_LT(advisor::shown_error(d.automatic.error, few) / advisor::shown_error(d.automatic.error, many), 1.8);
+}
+
+// The measured FLIP agrees with the FLIP of an image against an accurate one.
+TEST(MethodChoice, FlipOfHalfBuffersIsThatOfTheImage) {
+  render::Document d = builtin("cornell", 64);
+  d.method.sampler = "random";
+  const auto display = d.display.transform();
+  const film::Film reference = render::rendered(d, 2048, 2);
+  d.seed = 5;
+  const film::Film film = render::rendered(d, 16, 2);
+  const auto flip = render::MinimisedError::flip;
+  const double stated = advisor::measured_error(film, flip, display).value;
+  const double difference = std::sqrt(advisor::squared_error(film, reference, flip, display).value);
+  EXPECT_NEAR(stated / difference, 1, 0.15);
+}
+
+// The comparison is made with one set of costs, and revised with others.
+TEST(ChoiceRevision, FollowsLongerPilots) {
+  const auto cheap = [](const std::string& name) {
+    return [name](const render::Status& status, const render::MethodSettings& method) {
+      return static_cast<double>(status.rays) * (method.integrator == name ? 1e-9 : 1e-6);
+    };
+  };
+  auto d = builtin("cornell", 24);
+  d.limits = {0, 1000, 0};
+  render::Session session({2});
+  double now = 0;
+  const auto clock = [&] { return now += 1e-3; };
+  auto choice = advisor::choose_method(session, d, never_cancel, {.cost = cheap("path"), .clock = clock});
+  ASSERT_TRUE(choice) << choice.error().message;
+  ASSERT_EQ(choice->method.integrator, "path");
+  ASSERT_TRUE(advisor::is_revisable(*choice));
+  MethodChoice same = *choice, other = *choice;
+  const std::string second = choice->finalists[1].method.integrator;
+  const auto kept =
+      advisor::revised_choice(session, d, same, 1000, never_cancel, {.cost = cheap("path"), .clock = clock});
+  EXPECT_FALSE(kept.changes_method()) << kept.reason;
+  for (auto& m : other.finalists) m.cost = m.method.integrator == "path" ? 1000 * m.cost : 1e-3 * m.cost;
+  const auto changed =
+      advisor::revised_choice(session, d, other, 1e6, never_cancel, {.cost = cheap(second), .clock = clock});
+  EXPECT_TRUE(changed.changes_method());
+  EXPECT_EQ(changed.method.integrator, second);
+  EXPECT_NE(changed.reason.find(second + " instead of path"), std::string::npos) << changed.reason;
+  const double weight = changed.earlier_weight(1, 3);
+  EXPECT_GT(weight, 0);
+  EXPECT_LT(weight, 0.25);  // the worse method has a smaller weight than its share of the time
+}
+
+TEST(ChoiceRevision, WeightedMeanOfFilms) {
+  film::Film a(2, 1), b(2, 1);
+  for (int i = 0; i < 3; ++i)
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) a.add(0, 0, half, Rgb(half == 0 ? 1.0f : 2.0f));
+  b.add(0, 0, 0, Rgb(5));
+  b.add(0, 0, 1, Rgb(6));
+  b.add(1, 0, 0, Rgb(7));
+  const film::Film mean = advisor::weighted_mean(a, b, 0.75);
+  EXPECT_FLOAT_EQ(mean.half_buffer_mean(0, 0, 0).r, 2);
+  EXPECT_FLOAT_EQ(mean.half_buffer_mean(0, 0, 1).g, 3);
+  EXPECT_EQ(mean.half_buffer_samples(0, 0, 0), 4u);
+  EXPECT_FLOAT_EQ(mean.half_buffer_mean(1, 0, 0).b, 7);  // the other film has no sample here
+  EXPECT_EQ(mean.half_buffer_samples(1, 0, 1), 0u);
 }
 
 // A clock that advances by one second at every reading: the budget of a time limit is used up at once.

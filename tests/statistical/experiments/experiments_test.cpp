@@ -164,6 +164,15 @@ TEST(Fredholm, OrdersAreThoseOfTheory) {
   }
 }
 
+// A shadow edge inside an element reduces the order of every basis.
+TEST(RadiosityElements, OrdersAreThoseOfTheory) {
+  for (const char* light : {"smooth", "shadow-edge"}) {
+    const auto result = run("radiosity-elements", {{"light", light}});
+    EXPECT_EQ(result.checks.size(), 6u);
+    expect_checks(result, light);
+  }
+}
+
 TEST(Iterations, DivergenceIsDetectedAndReported) {
   const auto result = run("iterations", {{"equation", "logarithmic"}});
   expect_checks(result, "logarithmic");

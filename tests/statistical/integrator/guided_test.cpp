@@ -1,6 +1,7 @@
 // Guided path tracing: what it learns reduces the variance, a resumed render continues to the same bits, and images do
-// not depend on the number of threads. That it is unbiased follows from the tests over all integrators (Pairwise,
-// Furnace, GoldenSphere), and after many iterations from the comparison below.
+// not depend on the number of threads. That it is unbiased follows from the tests over all integrators (Pairwise, Furnace),
+// from the closed form of the integrating sphere (IntegratingSphere.GuidedPathTracing), and after many iterations from
+// the comparison below.
 #include <gtest/gtest.h>
 
 #include "support/independent_estimates.h"

@@ -132,6 +132,27 @@ TEST(IntegratingSphere, MeanAndVarianceOfPathTracing) {
     }
 }
 
+// Guided samples have other weights, so only the mean is known. The guides of the last samples have been learned in five
+// iterations. The cap is found by light samples and by guided directions, which learn where it is.
+TEST(IntegratingSphere, GuidedPathTracing) {
+  for (const Cap cap : {Cap::reflecting, Cap::black})
+    for (const double share : {0.1, 0.01}) {
+      const Moments expected = theory(share, 0.5, 0, cap);
+      double sum = 0, squared_error = 0;
+      constexpr int kImages = 4;
+      for (uint64_t seed = 0; seed < kImages; ++seed) {
+        auto d = with_integrator(test::integrating_sphere(share, 0.5f, cap, 16), "path-guided");
+        d.seed = seed;
+        const auto mean = test::mean_of(test::rendered(d, 126));
+        sum += mean.value / kImages;
+        squared_error += sqr(mean.standard_error / kImages);
+      }
+      const double standard_error = std::sqrt(squared_error);
+      EXPECT_LT(standard_error, 0.02 * expected.mean);
+      EXPECT_NEAR(sum, expected.mean, kSigmas * standard_error + kTriangles * expected.mean) << share;
+    }
+}
+
 // The direct light rho a is the same for every sample.
 TEST(IntegratingSphere, ClassicIntegratorsAreConstant) {
   constexpr double kShare = 0.1, kAlbedo = 0.5;

@@ -126,6 +126,11 @@ TEST(Pairwise, GlassBallUnderAreaLight) { expect_pairs_agree(test::balls_under_a
 TEST(Pairwise, UnderAnalyticLights) { expect_pairs_agree(test::balls_under_analytic_lights(), "E[(D|G).*]L", 64); }
 
 TEST(Pairwise, UnderSky) { expect_pairs_agree(test::balls_under_sky(), "E[(D|G).*]L", 64); }
+// The light of the sky is hidden from the camera, which sees the backdrop instead.
+TEST(Pairwise, BackdropUnderSky) {
+  const Document d = test::with(test::balls_under_sky(), "environment.visible", "false");
+  expect_pairs_agree(test::with(d, "environment.backdrop", "true"), "E[(D|G).*]L", 64);
+}
 // The multiplexed form tries one technique at a time, and only one technique samples long paths through the ball: once
 // in a million samples, which then carry as much weight as all others. Twelve images are too few for a normal
 // distribution.

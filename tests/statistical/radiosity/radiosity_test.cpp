@@ -207,8 +207,9 @@ class Rendering {
     EXPECT_TRUE(state_->sample({.x = 0, .y = 0, .width = 16, .height = 16, .sample = 0}, radiance, {}));
     return radiance;
   }
-  bool has_phases() const { return !state_->phases(0).empty(); }
-  const integrator::RenderState& state() const { return *state_; }
+  bool has_phases() const { return remaining_phases() > 0; }
+  size_t remaining_phases() const { return state_->phases(0).size(); }
+  integrator::RenderState& state() { return *state_; }
 
  private:
   std::shared_ptr<const scene::CompiledScene> scene_;
@@ -278,8 +279,78 @@ TEST(RadiosityIntegrator, UnusualScenes) {
   const auto camera = look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f);
   EXPECT_EQ(test::mean_of(test::rendered(by_radiosity(test::document(empty, camera, 8, 8)), 2)).value, 0);
   EXPECT_EQ(test::mean_of(test::rendered(by_radiosity(test::document(dark, camera, 8, 8)), 2)).value, 0);
-  const auto white = with(by_radiosity(test::document(test::furnace(1), Camera(), 8, 8)), "radiosity.patches", "50");
-  EXPECT_TRUE(std::isfinite(test::mean_of(test::rendered(white, 2)).value));
+}
+
+std::vector<std::string> notes_of(const render::Document& d) {
+  Rendering rendering(d);
+  rendering.prepare();
+  return rendering.state().notes();
+}
+
+// A room that reflects all light has no solution: a note says so, and the image shows emitted and direct light.
+TEST(RadiosityIntegrator, DivergenceIsReported) {
+  const auto room = [](float albedo) {
+    return with(by_radiosity(test::document(test::furnace(albedo), Camera(), 8, 8)), "radiosity.patches", "50");
+  };
+  EXPECT_TRUE(notes_of(room(0.5f)).empty());
+  const auto notes = notes_of(room(1));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("direct light only"), std::string::npos) << notes[0];
+  // Direct light is sampled with 64 shadow rays per element.
+  EXPECT_NEAR(test::mean_of(test::rendered(room(1), 2)).value, 2, 0.03);
+}
+
+TEST(RadiosityIntegrator, ApproximatedMaterialsAreReported) {
+  const auto plates = with(with(by_radiosity(*render::new_document("glossy-plates")), "radiosity.patches", "50"),
+                           "radiosity.surfaces", "base-color");
+  const auto notes = notes_of(plates);
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes[0].find("is not diffuse"), std::string::npos) << notes[0];
+}
+
+// The sampler of the document draws the rays of form factors and direct light.
+TEST(RadiosityIntegrator, UsesTheSampler) {
+  const auto d = with(with(by_radiosity(test::cornell(16)), "radiosity.patches", "200"), "radiosity.rays", "32");
+  const Rgb by_sobol = (*[&] {
+                         Rendering r(d);
+                         r.prepare();
+                         return r.state().points();
+                       }())[7]
+                           .power;
+  for (const char* sampler : {"random", "halton", "stratified", "lattice"}) {
+    Rendering first(d);
+    first.prepare();
+    const auto other = with(d, "render.sampler", sampler);
+    Rendering edited(other, &first);
+    EXPECT_TRUE(edited.has_phases()) << sampler;
+    edited.prepare();
+    const Rgb power = (*edited.state().points())[7].power;
+    EXPECT_NE(power, by_sobol) << sampler;
+    EXPECT_NEAR(luminance(power), luminance(by_sobol), 0.3f * luminance(by_sobol)) << sampler;
+  }
+}
+
+// Tasks that are stopped and continued, as after an edit of a preview, give the same bits, and a solution that was
+// partly computed for another state is completed.
+TEST(RadiosityIntegrator, CanBeStoppedAtAnyPoint) {
+  const auto d = with(by_radiosity(test::cornell(16)), "radiosity.patches", "300");
+  const auto expected = Rendering(d).pixels();
+  Rendering first(d);
+  int polls = 0;
+  const std::function<bool()> sometimes = [&] { return ++polls % 7 != 0; };
+  integrator::RenderState& state = first.state();
+  const auto phases = state.phases(0);
+  int stopped = 0;
+  for (size_t p = 0; p < phases.size(); ++p) {
+    for (int task = 0; task < phases[p].tasks; ++task)
+      while (!state.run(0, p, task, {.keep_going = &sometimes})) ++stopped;
+    state.finish(0, p);
+    if (p == 1) {
+      EXPECT_LT(Rendering(d, &first).remaining_phases(), phases.size());
+    }
+  }
+  EXPECT_GT(stopped, 10);
+  EXPECT_EQ(first.pixels(), expected);
 }
 
 // The stated error includes the variance of form factors and direct light: it must not be zero.

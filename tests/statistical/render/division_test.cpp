@@ -173,16 +173,20 @@ TEST_F(Division, CheckpointsKeepTheRoundingErrorsAndTheirEarlierVersionIsRead) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->film.rounding_errors().bytes(), samples.film.rounding_errors().bytes());
 
-  // Version 3 has a header that is shorter by one number, and no rounding errors.
+  // The header of version 4 has no size of the statistics of tails, and that of version 3 no size of rounding errors either.
   ASSERT_TRUE(render::write_checkpoint(file, {.state = "{}", .film = film::Film(kWidth, kHeight)}));
   std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  bytes[7] = '3';
-  bytes.erase(80, 8);
-  std::ofstream(file, std::ios::binary) << bytes;
-  read = render::read_checkpoint(file);
-  ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->state, "{}");
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  constexpr size_t kHeader = 96;
+  for (const auto& [version, shorter] : {std::pair<char, size_t>{'4', 8}, {'3', 16}}) {
+    std::string earlier = bytes;
+    earlier[7] = version;
+    earlier.erase(kHeader - shorter, shorter);
+    std::ofstream(file, std::ios::binary) << earlier;
+    read = render::read_checkpoint(file);
+    ASSERT_TRUE(read) << version << ": " << read.error().message;
+    EXPECT_EQ(read->state, "{}");
+  }
 }
 
 // A part that is stored after three of its samples continues with the fourth.

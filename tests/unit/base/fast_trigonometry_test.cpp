@@ -1,4 +1,4 @@
-// Polynomials for inverse trigonometric functions against the standard library in double precision.
+// Polynomials for trigonometric functions against the standard library in double precision.
 #include "base/fast_trigonometry.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,24 @@ namespace etendue {
 namespace {
 
 constexpr double kBound = 5e-7;  // radians
+
+TEST(FastTrigonometry, CosineAndSineOfTurnsAreAccurate) {
+  constexpr int kSteps = 200'000;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const float turns = 3.25f * static_cast<float>(i) / kSteps;
+    const Vec2 d = cos_sin_of_turns(turns);
+    ASSERT_NEAR(d.x, std::cos(2 * M_PI * static_cast<double>(turns)), 2e-7) << turns;
+    ASSERT_NEAR(d.y, std::sin(2 * M_PI * static_cast<double>(turns)), 2e-7) << turns;
+  }
+}
+
+TEST(FastTrigonometry, QuarterTurnsAreExact) {
+  EXPECT_EQ(cos_sin_of_turns(0), Vec2(1, 0));
+  EXPECT_EQ(cos_sin_of_turns(0.25f), Vec2(0, 1));
+  EXPECT_EQ(cos_sin_of_turns(0.5f), Vec2(-1, 0));
+  EXPECT_EQ(cos_sin_of_turns(-0.25f), Vec2(0, -1));
+  EXPECT_EQ(cos_sin_of_turns(7.75f), Vec2(0, -1));
+}
 
 TEST(FastTrigonometry, AcosIsAccurate) {
   constexpr int kSteps = 200'000;

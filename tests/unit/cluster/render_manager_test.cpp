@@ -37,7 +37,7 @@ class Mailboxes {
 };
 
 // What a rank does wrong.
-enum class RankFault { none, damages_results, never_answers };
+enum class RankFault { none, damages_results, never_answers, damages_sums, sends_no_sums };
 
 class ThreadRank final : public Communicator {
  public:
@@ -49,7 +49,10 @@ class ThreadRank final : public Communicator {
   void send(int to, std::vector<std::byte> bytes) override {
     const bool is_result = kind_of(bytes) == MessageKind::result;
     if (is_result && fault_ == RankFault::never_answers) return;
-    if (is_result && fault_ == RankFault::damages_results) bytes[bytes.size() / 2] ^= std::byte{1};
+    const bool is_sum = kind_of(bytes) == MessageKind::sum;
+    if (is_sum && fault_ == RankFault::sends_no_sums) return;
+    if ((is_result && fault_ == RankFault::damages_results) || (is_sum && fault_ == RankFault::damages_sums))
+      bytes[bytes.size() / 2] ^= std::byte{1};
     boxes_.put(to, {rank_, std::move(bytes)});
   }
   std::optional<Message> receive() override { return boxes_.take(rank_); }
@@ -156,6 +159,46 @@ TEST(RenderManager, PiecesOfASilentRankAreRenderedByOthers) {
   RenderManager manager(job.rank_0(), setup_of(document));
   expect_image_of_one_process(manager, document);
   EXPECT_NE(manager.summary().find("repeated pieces: 1"), std::string::npos) << manager.summary();
+}
+
+// A schedule in which ranks add results for rank 0.
+ManagerSetup setup_with_collectors(const render::Document& document, int collectors) {
+  ManagerSetup setup = setup_of(document);
+  setup.schedule.collectors = collectors;
+  return setup;
+}
+
+TEST(RenderManager, CollectorsKeepTheBits) {
+  for (const char* integrator : {"path", "light"}) {
+    SCOPED_TRACE(integrator);
+    const auto document = small_document(integrator, 60);
+    Job job(5);
+    ManagerSetup setup = setup_with_collectors(document, 2);
+    setup.schedule.shortest_patience = setup.schedule.first_patience = 60;
+    RenderManager manager(job.rank_0(), std::move(setup));
+    expect_image_of_one_process(manager, document);
+    EXPECT_NE(manager.summary().find("ranks that added results: 2"), std::string::npos) << manager.summary();
+    EXPECT_EQ(manager.summary().find("failed"), std::string::npos) << manager.summary();
+  }
+}
+
+TEST(RenderManager, CollectorsNoticeDamagedResults) {
+  const auto document = small_document("path", 60);
+  Job job(4, RankFault::damages_results);
+  RenderManager manager(job.rank_0(), setup_with_collectors(document, 1));
+  expect_image_of_one_process(manager, document);
+  EXPECT_NE(manager.summary().find("damaged results: "), std::string::npos) << manager.summary();
+}
+
+// The last rank is the only collector.
+TEST(RenderManager, SamplesOfAFailedCollectorAreRenderedAgain) {
+  for (const RankFault fault : {RankFault::damages_sums, RankFault::sends_no_sums}) {
+    const auto document = small_document("path", 60);
+    Job job(2, fault);
+    RenderManager manager(job.rank_0(), setup_with_collectors(document, 1));
+    expect_image_of_one_process(manager, document);
+    EXPECT_NE(manager.summary().find("of which failed: 1"), std::string::npos) << manager.summary();
+  }
 }
 
 TEST(RenderManager, ContinuesWithGaps) {

@@ -145,6 +145,83 @@ TEST(WorkSchedule, ThousandRanksComplete) {
   }
 }
 
+// Results of ranks 1 to 3 go to the collector 1; those of rank 0 do not.
+TEST(WorkSchedule, CollectorsDeliverTheSamplesOfTheirGroup) {
+  ScheduleOptions options;
+  options.collectors = 1;
+  WorkSchedule schedule(4, 4, {}, options);
+  for (int rank = 0; rank < 4; ++rank) {
+    const auto piece = schedule.next(rank, 0);
+    ASSERT_TRUE(piece);
+    EXPECT_EQ(piece->collector, rank == 0 ? 0 : 1);
+    EXPECT_TRUE(schedule.complete(rank, piece->id, 1));
+  }
+  EXPECT_EQ(schedule.done().ranges(), (std::vector<SampleRange>{{0, 1}}));
+  EXPECT_FALSE(schedule.is_finished());
+  EXPECT_EQ(schedule.next_to_collect(1), 1);
+  EXPECT_FALSE(schedule.next_to_collect(1));
+  EXPECT_FALSE(schedule.late_collector(2));
+  EXPECT_TRUE(schedule.deliver(1));
+  EXPECT_FALSE(schedule.deliver(1));
+  EXPECT_TRUE(schedule.is_finished());
+}
+
+TEST(WorkSchedule, SamplesOfAFailedCollectorAreRenderedAgain) {
+  ScheduleOptions options;
+  options.collectors = 2;
+  WorkSchedule schedule(5, 8, {}, options);
+  std::vector<Piece> pieces;
+  for (int rank = 0; rank < 5; ++rank) pieces.push_back(*schedule.next(rank, 0));
+  for (const int rank : {0, 1, 2}) EXPECT_TRUE(schedule.complete(rank, pieces[static_cast<size_t>(rank)].id, 1));
+  // Ranks 1 and 3 have the collector 1, which has one sample and will receive another.
+  schedule.retire(1);
+  EXPECT_EQ(schedule.retired_collectors(), 1U);
+  EXPECT_FALSE(schedule.complete(3, pieces[3].id, 2));
+  const auto again = schedule.next(3, 2);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->samples.first, pieces[1].samples.first);
+  EXPECT_EQ(again->collector, 2);
+  EXPECT_FALSE(schedule.deliver(1));
+  schedule.retire(2);
+  EXPECT_EQ(schedule.next(1, 3)->collector, 0);
+}
+
+TEST(WorkSchedule, CollectorsServeMoreRanks) {
+  SimulatedJob job{.ranks = 1000,
+                   .samples = 500'000,
+                   .seconds_per_sample = 2,
+                   .speed_spread = 0.3,
+                   .bytes_per_result = 118e6,
+                   .merge_seconds = 0.3};
+  const auto tree = simulate(job);
+  EXPECT_TRUE(tree.is_complete);
+  EXPECT_EQ(tree.merged_samples, job.samples);
+  EXPECT_EQ(tree.collectors, 32);
+  job.options.collectors = 0;
+  const auto direct = simulate(job);
+  EXPECT_TRUE(direct.is_complete);
+  EXPECT_GT(tree.utilisation, direct.utilisation + 0.1);
+  EXPECT_LT(tree.merging, 0.5 * direct.merging);
+}
+
+TEST(WorkSchedule, CollectorsThatDieAreReplaced) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const SimulatedJob job{.ranks = 200,
+                           .samples = 100'000,
+                           .seconds_per_sample = 2,
+                           .speed_spread = 0.3,
+                           .lifetime = 2000,
+                           .damaged_results = 0.001,
+                           .bytes_per_result = 118e6,
+                           .merge_seconds = 0.3,
+                           .seed = seed};
+    const auto run = simulate(job);
+    EXPECT_TRUE(run.is_complete);
+    EXPECT_EQ(run.merged_samples, job.samples);
+    EXPECT_GT(run.retired_collectors, 0U);
+  }
+}
+
 TEST(WorkSchedule, OneRankAloneIsFullyUsed) {
   const auto run = simulate({.ranks = 1, .samples = 1000, .latency = 0});
   EXPECT_TRUE(run.is_complete);

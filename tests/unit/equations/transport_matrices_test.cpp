@@ -77,6 +77,20 @@ TEST(TransportMatrices, LeadingEigenvectorIsOne) {
   for (size_t i = 0; i < 2; ++i) EXPECT_NEAR(transported[i], radius * v[i], 1e-12);
 }
 
+// The two eigenvalues of the spheres are 0.3 +- sqrt(0.19).
+TEST(TransportMatrices, EigenpairsOfSpheres) {
+  const TransportMatrices t = spheres(0.5, 0.8);
+  const auto pairs = leading_eigenpairs(t, 5);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_NEAR(pairs[0].value, 0.3 + std::sqrt(0.19), 1e-12);
+  EXPECT_NEAR(pairs[1].value, 0.3 - std::sqrt(0.19), 1e-12);
+  const Rows transport = transport_operator(t);
+  for (const Eigenpair& pair : pairs)
+    for (size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(transport[i][0] * pair.vector[0] + transport[i][1] * pair.vector[1], pair.value * pair.vector[i],
+                  1e-12);
+}
+
 TEST(TransportMatrices, SeriesSumsToTheSolution) {
   const TransportMatrices t = open_scene();
   const Vector light{1, 0, 2}, solution = *exitant_radiance(t, light);

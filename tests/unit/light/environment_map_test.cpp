@@ -139,6 +139,37 @@ TEST(EnvironmentMap, DensityOfASampleIsThatOfItsDirection) {
   }
 }
 
+// Next to the poles, where azimuths are inaccurate, all texels have the same value.
+TEST(EnvironmentMap, RadianceOfASampleIsThatOfItsDirection) {
+  for (const bool has_sun : {false, true}) {
+    Environment e = environment(16, 8, [](int x, int y) {
+      return y == 0 || y == 7 ? Rgb(1) : Rgb(static_cast<float>((x * 7 + y * 13) % 11), 2, 3);
+    });
+    e.rotation = 0.7f;
+    if (has_sun) e.sun = SunDisk{.direction = {0, 1, 0}, .radiance = Rgb(100), .angular_radius = 0.05f};
+    const EnvironmentMap map(e);
+    for (int i = 0; i < 1000; ++i) {
+      const auto s = map.sample(spread(i));
+      const Rgb expected = map.radiance(s.direction);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(s.radiance[c], expected[c], 1e-4f * (1 + expected[c])) << has_sun;
+    }
+  }
+}
+
+TEST(EnvironmentMap, ValueIsRadianceAndDensity) {
+  Environment e = noise(16, 8);
+  e.sun = SunDisk{.direction = {0, 0, 1}, .radiance = Rgb(100), .angular_radius = 0.3f};
+  const EnvironmentMap map(e);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 direction = direction_at(spread(i).x, spread(i).y);
+    for (const bool compensated : {false, true}) {
+      const auto value = map.value(direction, compensated);
+      EXPECT_EQ(value.radiance, map.radiance(direction));
+      EXPECT_EQ(value.pdf_solid_angle, map.pdf_solid_angle(direction, compensated));
+    }
+  }
+}
+
 TEST(EnvironmentMap, EstimatesItsIntegral) {
   const EnvironmentMap map(one_bright_texel(3, 2));
   double sampled = 0;
@@ -198,6 +229,34 @@ TEST(EnvironmentMap, UniformMapEqualsAConstant) {
     EXPECT_EQ(map.pdf_solid_angle(direction), constant.pdf_solid_angle(direction));
   }
   EXPECT_EQ(map.mean_radiance(), constant.mean_radiance());
+}
+
+// The backdrop replaces what camera rays see of a hidden environment: grey, brighter above, and darker than the mean
+// radiance, which is that of a white surface. The light does not change.
+TEST(EnvironmentMap, BackdropIsSeenButEmitsNoLight) {
+  Environment e = environment(16, 8, [](int x, int y) { return Rgb(static_cast<float>(x + y), 3, 1); });
+  const EnvironmentMap shown(e);
+  e.visible = false;
+  const EnvironmentMap hidden(e);
+  EXPECT_FALSE(hidden.visible());
+  e.backdrop = true;
+  const EnvironmentMap map(e);
+  EXPECT_TRUE(map.visible());
+  EXPECT_EQ(map.seen_spectrum(), nullptr);
+  const float mean = luminance(map.mean_radiance());
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 direction = shown.sample(spread(i)).direction;
+    EXPECT_EQ(shown.seen_radiance(direction), shown.radiance(direction));
+    EXPECT_EQ(map.radiance(direction), shown.radiance(direction));
+    EXPECT_EQ(map.pdf_solid_angle(direction), shown.pdf_solid_angle(direction));
+    const Rgb seen = map.seen_radiance(direction);
+    EXPECT_EQ(seen, Rgb(seen.r));
+    EXPECT_GE(seen.r, 0.27f * mean);
+    EXPECT_LE(seen.r, 0.51f * mean);
+  }
+  EXPECT_LT(map.seen_radiance({0, -1, 0}).r, map.seen_radiance({0, 1, 0}).r);
+  e.visible = true;
+  EXPECT_FALSE(EnvironmentMap(e).shows_backdrop()) << "a visible environment has none";
 }
 
 TEST(EnvironmentMap, BlackMapHasNoDensity) {

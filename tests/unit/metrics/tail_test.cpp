@@ -175,7 +175,7 @@ TEST(Tail, LessMemoryOnlyShortensTheTail) {
     runs.mean += *little.khat / kRuns;
     runs.heavy += little.heavy();
   }
-  // Tails of 128 to 255 samples; the prior has the weight of ten samples at k = 1/2.
+  // Tails of 192 samples; the prior has the weight of ten samples at k = 1/2.
   EXPECT_NEAR(runs.mean, 1, 0.05);
   EXPECT_GE(runs.heavy, 190);
 }

@@ -160,6 +160,51 @@ TEST(PhotonMap, NearestEqualBruteForce) {
   }
 }
 
+TEST(PhotonMap, SumOfPowersEqualsThatOfTheVisitedPhotons) {
+  Numbers random(5);
+  std::vector<Photon> photons;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 position(random(), 0.02f * random(), random());
+    const Rgb power(random(), random(), random());
+    photons.emplace_back(position, square_to_sphere(random.pair()), kUp, power, 1 + i % 7);
+  }
+  PhotonMap map;
+  map.build(photons);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 from(random(), 0.01f, random());
+    const LambertianLookup lookup{.position = from,
+                                  .normal = kUp,
+                                  .radius2 = sqr(0.3f * random()),
+                                  .side = i % 2 == 0 ? 0.5f : -0.5f,
+                                  .max_length = 2 + i % 9};
+    Rgb expected(0);
+    map.for_each_within(from, kUp, lookup.radius2, [&](const Photon& photon, float) {
+      if (photon.direction().y * lookup.side > 0 && photon.length() <= lookup.max_length) expected += photon.power();
+    });
+    const Rgb sum = map.sum_of_powers(lookup);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 1e-5f * expected[c] + 1e-6f);
+  }
+}
+
+// Photons on a grid: many have equal coordinates and equal distances.
+TEST(PhotonMap, NearestOfEqualDistancesEqualBruteForce) {
+  std::vector<Photon> photons;
+  for (int x = 0; x < 70; ++x)
+    for (int z = 0; z < 70; ++z) photons.push_back(at({static_cast<float>(x), 0, static_cast<float>(z)}));
+  PhotonMap map;
+  map.build(photons);
+  std::vector<Neighbour> room;
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 from(static_cast<float>(i), 0, static_cast<float>(3 * i % 70));
+    const auto all = distances_by_force(photons, from, kUp);
+    for (const size_t most : {4U, 6U, 50U, 77U}) {
+      const auto around = map.nearest(from, kUp, most, kInfinity, room);
+      EXPECT_EQ(distances_of(around), std::vector<float>(all.begin(), all.begin() + static_cast<long>(most) - 1));
+      EXPECT_EQ(around.radius2, all[most - 1]);
+    }
+  }
+}
+
 // The inner side of a far wall has the same normal as the outer side of the near wall.
 TEST(PhotonMap, PhotonsStraightBehindBelongToAnotherSurface) {
   std::vector<Neighbour> room;

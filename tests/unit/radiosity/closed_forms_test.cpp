@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace etendue::radiosity {
@@ -39,6 +40,41 @@ TEST(ClosedForms, ClosureOfBoxes) {
 TEST(ClosedForms, CoaxialDisks) {
   EXPECT_NEAR(coaxial_disks(1, 1, 1), (3 - std::sqrt(5.0)) / 2, 1e-15);
   EXPECT_NEAR(coaxial_disks(1, 2, 1.5), 4 * coaxial_disks(2, 1, 1.5), 1e-14);  // reciprocity
+}
+
+TEST(ClosedForms, PointToDisk) {
+  for (const double r : {0.01, 0.5, 1.0, 3.0})
+    for (const double h : {0.1, 1.0, 5.0}) EXPECT_NEAR(point_to_disk(r, h), r * r / (r * r + h * h), 2e-15);
+  // A polygon with many corners, seen from below its centre and from beside it.
+  constexpr int kCorners = 20'000;
+  for (const double offset : {0.0, 0.4, 1.0, 2.5}) {
+    Polygon disk;
+    for (int k = kCorners; k > 0; --k) {
+      const double phi = 2 * std::numbers::pi * k / kCorners;
+      disk.emplace_back(offset + std::cos(phi), std::sin(phi), 0.7);
+    }
+    EXPECT_NEAR(point_to_disk(1, 0.7, offset), point_to_polygon(DVec3(0), DVec3(0, 0, 1), disk), 1e-7) << offset;
+  }
+  // The mean over a disk is the factor between two disks.
+  double mean = 0;
+  constexpr int kRings = 2000;
+  for (int k = 0; k < kRings; ++k) mean += point_to_disk(2, 1.5, std::sqrt((k + 0.5) / kRings)) / kRings;
+  EXPECT_NEAR(mean, coaxial_disks(1, 2, 1.5), 1e-7);
+}
+
+// Additivity, and a rectangle beside the foot of the point as the difference of rectangles with a corner there.
+TEST(ClosedForms, AlgebraOfFormFactors) {
+  const double w = 0.8;
+  const Polygon offset{{0.5, 0.25, w}, {0.5, 1.5, w}, {2, 1.5, w}, {2, 0.25, w}};
+  const double by_corners = point_to_rectangle(2, 1.5, w) - point_to_rectangle(0.5, 1.5, w) -
+                            point_to_rectangle(2, 0.25, w) + point_to_rectangle(0.5, 0.25, w);
+  EXPECT_NEAR(point_to_polygon(DVec3(0), DVec3(0, 0, 1), offset), by_corners, 1e-14);
+  // A floor of depth 2 exchanges light with a wall as its two halves together.
+  EXPECT_NEAR(
+      perpendicular_rectangles(2, 1),
+      0.5 * (perpendicular_rectangles(1, 1) + contour_exchange({{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
+                                                               {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, 32)),
+      1e-9);
 }
 
 constexpr double kPointToRectangle[][4] = {{1, 1, 1, 0.1385316060},      {2, 1, 1, 0.1673750099},

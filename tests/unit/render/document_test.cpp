@@ -4,11 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "film/film.h"
+#include "image/image.h"
 #include "light/environments/builtin_environment.h"
+#include "light/sampling/environment_map.h"
 #include "render/scene_saving.h"
+#include "render/session.h"
 #include "scene/builtin/scene_builder.h"
 #include "scene/builtin/shapes.h"
 #include "scene/gltf/save_gltf.h"
@@ -77,10 +82,61 @@ TEST_F(UnlitScene, IsLitByTheStudioAndToneMapped) {
   EXPECT_TRUE(scene_to_save(document_).environment.black());
 }
 
+// The camera sees a backdrop, which contrasts with white surfaces.
+TEST_F(UnlitScene, IsShownInFrontOfABackdrop) {
+  EXPECT_FALSE(document_.scene->environment.visible);
+  EXPECT_TRUE(document_.scene->environment.backdrop);
+  for (const char* name : {"studio", "overcast", "uniform", "sky"}) {
+    const auto chosen = *with_text(document_, "environment.preset", name);
+    const EnvironmentMap map(chosen.scene->environment);
+    const float white = luminance(map.mean_radiance());
+    for (const Vec3& direction : {Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)})
+      EXPECT_LT(luminance(map.seen_radiance(direction)), 0.55f * white) << name;
+  }
+  const auto shown = *with_text(document_, "environment.visible", "true");
+  EXPECT_EQ(shown.scene->environment, [] {
+    Environment studio = make_environment(*find_builtin_environment("studio"));
+    studio.backdrop = true;
+    return studio;
+  }());
+  const auto parameters = section_parameters(shown, "environment");
+  const auto backdrop = std::ranges::find_if(
+      parameters, [](const DocumentParameter& p) { return p.info.name == "environment.backdrop"; });
+  ASSERT_NE(backdrop, parameters.end());
+  EXPECT_FALSE(backdrop->inactive_reason.empty());
+}
+
+// The image of the backdrop alone.
+TEST_F(UnlitScene, TheBackdropIsRendered) {
+  auto d = *with_text(document_, "environment.preset", "uniform");
+  d.camera = look_at({0, 5, 0}, {0, 10, 0}, {0, 0, 1}, 0.1f);
+  d.width = d.height = 8;
+  const film::Film film = rendered(d, 2, 1);
+  EXPECT_NEAR(film.mean(4, 4).g, EnvironmentMap(d.scene->environment).seen_radiance({0, 1, 0}).g, 1e-3f);
+}
+
+// A map from a file is a background of its own.
+TEST_F(UnlitScene, AnEnvironmentMapFromAFileIsShown) {
+  const auto file = std::filesystem::temp_directory_path() / ("etendue-map-" + std::to_string(::getpid()) + ".hdr");
+  ASSERT_TRUE(image::write_hdr(file, 4, 2, std::vector<float>(24, 0.5f)));
+  auto d = *with_environment(document_, file.string());
+  EXPECT_TRUE(d.scene->environment.visible);
+  d = *with_text(d, "environment.visible", "false");
+  const auto reopened = document_from_state(state_json(d, 1), "test");
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_FALSE(reopened->scene->environment.visible) << "the state keeps what was chosen";
+  const auto shown = document_from_state(state_json(*with_text(d, "environment.visible", "true"), 1), "test");
+  EXPECT_TRUE(shown->scene->environment.visible);
+  std::filesystem::remove(file);
+}
+
 TEST_F(UnlitScene, EnvironmentsAreSelectedByName) {
   const auto sunset = with_text(document_, "environment.preset", "sunset");
   ASSERT_TRUE(sunset);
-  EXPECT_EQ(sunset->scene->environment, make_environment(*find_builtin_environment("sunset")));
+  Environment expected = make_environment(*find_builtin_environment("sunset"));
+  expected.visible = false;
+  expected.backdrop = true;
+  EXPECT_EQ(sunset->scene->environment, expected);
   const auto none = with_text(*sunset, "environment.preset", "none");
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->scene->environment.black());
@@ -104,7 +160,17 @@ TEST_F(UnlitScene, StateOfVersion1KeepsTheUniformEnvironment) {
   const auto reopened = document_from_state(state, "test");
   ASSERT_TRUE(reopened) << reopened.error().message;
   EXPECT_EQ(preset(*reopened), "uniform");
+  EXPECT_TRUE(reopened->scene->environment.visible);
   EXPECT_EQ(reopened->display, (Display{.exposure = 1, .curve = image::ToneCurve::none}));
+}
+
+// In version 2 the studio was visible.
+TEST_F(UnlitScene, StateOfVersion2ShowsTheEnvironment) {
+  const std::string state = R"({"program":"etendue","version":2,"scene":")" + file_.string() +
+                            R"(","camera":"","samples":4,"settings":{}})";
+  const auto reopened = document_from_state(state, "test");
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_EQ(reopened->scene->environment, make_environment(*find_builtin_environment("studio")));
 }
 
 // Values of unexpected types are errors or are ignored.
@@ -144,7 +210,7 @@ TEST(AutomaticIntegrator, IsAFlagOfTheDocument) {
   d->method.integrator = "bdpt";
   d->automatic.reason = "because";
   d->automatic.allow = AllowedIntegrators::consistent;
-  d->automatic.error = film::ErrorMeasure::displayed;
+  d->automatic.error = render::MinimisedError::displayed;
   reopened = document_from_state(state_json(*d, 0), "test");
   ASSERT_TRUE(reopened) << reopened.error().message;
   EXPECT_EQ(reopened->automatic, d->automatic);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "bsdf/bsdf_model.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/photometry.h"
@@ -59,6 +62,25 @@ TEST(Meter, UnderADisk) {
   expect(m.irradiance, 3 * 1.570796);
   d.camera = look_at({1, 0.2f, 1}, {0, 1, 0}, {0, 1, 0}, 0.3f);
   EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), 3 * 3.14159265 * 3.14159265, 2e-3);
+}
+
+// A point light of 10 cd and its image in a vertical mirror: E = I h (1 / h^3 + 1 / (h^2 + 4 a^2)^(3/2)) with the light at
+// height h above the point and the mirror at the distance a. Path tracing finds the first term only.
+TEST(Meter, ContainsCausticsOfPointLights) {
+  scene::Scene scene;
+  scene::add(scene, make_light("point", {{"intensity", 10.0}}), {.translation = {0, 1, 0}});
+  Material mirror = scene::diffuse(Rgb(1));
+  mirror.model.model = make_bsdf_model("mirror");
+  scene::add(scene, scene::rectangle({0.5f, 0, -10}, {0, 0, 20}, {0, 10, 0}), mirror);
+  Document d = over_floor(std::move(scene));
+  d.camera = look_at({-1, 0.9f, 1}, {0, 0, 0}, {0, 1, 0}, 0.5f);
+  const auto m = read(d, 512);
+  const double reflected = 10 / std::pow(2.0, 1.5), value = 10 + reflected;
+  EXPECT_NEAR(static_cast<double>(m.irradiance.value.g), value, 5 * m.irradiance.standard_error + 0.02 * reflected);
+  EXPECT_LT(m.irradiance.standard_error, 0.1 * reflected);
+  EXPECT_NEAR(static_cast<double>(m.radiance.value.g), 0.5 * value / 3.14159265,
+              5 * m.radiance.standard_error + 0.02 * reflected);
+  EXPECT_LT(m.radiance.standard_error, 0.02 * reflected);
 }
 
 // The exitance of a disk of radiance 3 is 3 pi; a point light of 5 cd at 2 m has this intensity towards the floor.

@@ -70,12 +70,12 @@ TEST(Reliability, HeavyTilesAreDetected) {
   EXPECT_EQ(alarms, 0);
 }
 
-// k = 0.4 everywhere: some tiles appear heavy by chance, which must not be reported.
+// k = 0.49 everywhere: some tiles appear heavy by chance, which must not be reported.
 TEST(Reliability, ChanceDoesNotCauseAnAlarm) {
   int looking = 0;
-  for (uint64_t seed = 1; seed <= 4; ++seed) {
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
     const auto h = reliability_of_samples(
-        320, 160, 24, [](int, int, double u) { return pareto(u, 2.5); }, seed);
+        320, 160, 24, [](int, int, double u) { return pareto(u, 2.05); }, seed);
     for (const auto& t : h->tiles) looking += t.tail.heavy() ? 1 : 0;
     EXPECT_EQ(h->heavy_share, 0) << seed;
     EXPECT_NE(h->verdict, Verdict::unreliable) << seed;

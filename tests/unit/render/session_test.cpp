@@ -154,6 +154,31 @@ TEST(Compile, MovedMeshesBecomeInstancesThatAreReused) {
   EXPECT_TRUE(third->report().top_level_built);
 }
 
+// Objects that emit nothing move without a new light table.
+TEST(Compile, MovedObjectsKeepTheLightsUnlessTheyEmit) {
+  auto d = test::cornell(24);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  const int grey = test::add(*scene, test::sphere(0.3f, 80, false), test::diffuse(Rgb(0.5f)));
+  Material glowing = test::diffuse(Rgb(0.5f));
+  glowing.emission = Rgb(2);
+  const int lamp = test::add(*scene, test::sphere(0.2f, 80, false), glowing);
+  const auto compile_moved = [&](int node, float y, const std::shared_ptr<const scene::CompiledScene>& before) {
+    auto moved = std::make_shared<scene::Scene>(before->description());
+    (*moved->nodes[static_cast<size_t>(node)].transform.matrix)[3] = Vec4(2, y, 2, 1);
+    return scene::compile(moved, d.camera, before);
+  };
+  auto compiled = compile_moved(lamp, 3, compile_moved(grey, 1, scene::compile(scene, d.camera, nullptr)));
+  compiled = compile_moved(grey, 1.1f, compiled);
+  compiled = compile_moved(grey, 1.2f, compiled);
+  EXPECT_TRUE(compiled->report().top_level_built);
+  EXPECT_FALSE(compiled->report().lights_built);
+  const auto anew = scene::compile(std::make_shared<scene::Scene>(compiled->description()), d.camera, nullptr);
+  ASSERT_EQ(compiled->lights().triangles().size(), anew->lights().triangles().size());
+  for (size_t i = 0; i < anew->instances().size(); ++i)
+    EXPECT_EQ(compiled->instances()[i].first_light, anew->instances()[i].first_light) << i;
+  EXPECT_TRUE(compile_moved(lamp, 3.1f, compiled)->report().lights_built);
+}
+
 // The means of textured emission are taken from the previous scene; they have the bits of a scene that is compiled anew.
 TEST(Compile, MovedTexturedEmitterHasTheLightsOfAFreshScene) {
   auto d = test::cornell(16);

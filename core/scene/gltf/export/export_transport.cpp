@@ -52,6 +52,7 @@ Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
   put(to, "rotation", e.rotation, 0);
   if (!e.visible) to["visible"] = false;
+  if (e.backdrop) to["backdrop"] = true;
   put_spectrum(to, "spectrum", e.spectrum, folder);
   if (e.sky && e.file == to.value("preset", "")) put_sky(to, *e.sky);
   if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);

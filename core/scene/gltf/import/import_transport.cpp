@@ -88,6 +88,7 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   environment.tint = reader.color("tint", Rgb(1));
   environment.rotation = reader.number("rotation", 0, kLowest);
   environment.visible = reader.flag("visible", true);
+  environment.backdrop = reader.flag("backdrop", false);
   environment.spectrum = read_spectrum_name(reader, "spectrum", input.folder);
   if (const std::string preset = reader.text("preset"); !preset.empty()) {
     if (const BuiltinEnvironment* builtin = find_builtin_environment(preset)) {
@@ -96,6 +97,7 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
       made.tint = environment.tint;
       made.rotation = environment.rotation;
       made.visible = environment.visible;
+      made.backdrop = environment.backdrop;
       made.spectrum = environment.spectrum;
       environment = std::move(made);
     } else {

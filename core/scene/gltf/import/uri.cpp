@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/base64.h"
+#include "base/provided_files.h"
 
 namespace etendue::scene::gltf {
 namespace {
@@ -54,9 +55,8 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
 std::optional<std::filesystem::path> file_of_uri(const std::filesystem::path& folder, std::string_view uri) {
   if (uri.empty() || uri.find('\0') != std::string_view::npos) return std::nullopt;
   // If a file with the undecoded name exists, that file is meant.
-  std::error_code code;
   const std::filesystem::path literal = folder / std::string(uri);
-  if (std::filesystem::is_regular_file(literal, code)) return literal;
+  if (is_file(literal)) return literal;
   if (has_scheme(uri)) return std::nullopt;
   const std::string decoded = percent_decoded(uri);
   if (decoded.find('\0') != std::string::npos) return std::nullopt;
