@@ -186,7 +186,7 @@ Accel::Accel(std::span<const AccelInstance> instances)
     rtcAttachGeometryByID(scene_, geometry, i);
     rtcReleaseGeometry(geometry);
   }
-  rtcCommitScene(scene_);
+  commit_scene(scene_);
 }
 
 Accel::~Accel() { rtcReleaseScene(scene_); }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/tsan_handoff.h"
 #include "geometry/ray.h"
 
 namespace etendue {
@@ -41,8 +42,11 @@ Ray ray_at(RTCRayN* rays, unsigned count, unsigned i) {
   return ray;
 }
 
+TsanHandoff g_commit_started, g_bounds_computed;
+
 // Embree interpolates the bounds of two time steps linearly. A sphere around the centre contains every rotation.
 void bound_cylinder(const RTCBoundsFunctionArguments* args) {
+  g_commit_started.acquire();
   const AccelInstance& instance = cylinder_of(args->geometryUserPtr);
   AnalyticShape s = *instance.shape;
   Vec3 half;
@@ -54,6 +58,7 @@ void bound_cylinder(const RTCBoundsFunctionArguments* args) {
   }
   const Vec3 low = s.centre - half, high = s.centre + half;
   *args->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
+  g_bounds_computed.release();
 }
 
 void intersect_cylinder(const RTCIntersectFunctionNArguments* args) {
@@ -92,6 +97,12 @@ RTCGeometry cylinder_geometry(RTCDevice device, const AccelInstance& instance) {
   rtcSetGeometryOccludedFunction(geometry, occlude_by_cylinder);
   rtcCommitGeometry(geometry);
   return geometry;
+}
+
+void commit_scene(RTCScene scene) {
+  g_commit_started.release();
+  rtcCommitScene(scene);
+  g_bounds_computed.acquire();
 }
 
 }  // namespace etendue

@@ -10,4 +10,8 @@ namespace etendue {
 // The surface coordinates of hits are those of AnalyticShape::uv_of, which the caller computes.
 RTCGeometry cylinder_geometry(RTCDevice device, const AccelInstance& instance);
 
+// Commits a scene that may contain cylinders. Embree computes their bounds on other threads; ThreadSanitizer sees that this
+// happens after the call starts and before it returns.
+void commit_scene(RTCScene scene);
+
 }  // namespace etendue
