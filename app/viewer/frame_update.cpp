@@ -26,6 +26,7 @@
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/first_view.h"
 #include "viewer/viewport/image_view.h"
+#include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 #include "viewer/widgets/value_text.h"
@@ -232,6 +233,7 @@ void update_state(AppState& state, ImageView& live_image) {
   update_comparison_source(state);
   for (const auto& panel : state.panels.all()) panel->update(state);
   state.tasks.surface_analysis->update(state.task_context, state.selection.material);
+  state.viewport.pixel_readout->update(state.viewport.show_pixel_values && state.interface.visible);
   state.viewport.selection_outline->update(state.interface.visible ? state.selection.node : -1);
   state.viewport.stored_points->update(state.viewport.show_stored_points);
   const auto& display = state.document().display;

@@ -30,6 +30,7 @@ void add_all_actions(ActionList& actions, const PanelSet& panels) {
   add_integrator_actions(actions);
   add_view_actions(actions);
   add_zoom_actions(actions);
+  add_inspection_actions(actions);
   add_panel_actions(actions, panels);
   add_comparison_actions(actions);
 }

@@ -12,6 +12,7 @@ void add_render_actions(ActionList& actions);
 void add_integrator_actions(ActionList& actions);
 void add_view_actions(ActionList& actions);
 void add_zoom_actions(ActionList& actions);
+void add_inspection_actions(ActionList& actions);
 void add_object_actions(ActionList& actions);
 void add_comparison_actions(ActionList& actions);
 

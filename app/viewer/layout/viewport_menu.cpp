@@ -11,7 +11,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr const char* kName = "##viewport-menu";
+constexpr const char* kViewportMenu = "##viewport-menu";
 
 void panel_item(AppState& state, const char* label, const char* panel) {
   if (ImGui::MenuItem(label)) state.panels.open(*state.panels.find(panel));
@@ -45,9 +45,9 @@ void draw_viewport_menu(AppState& state) {
     select_at(state, *position);
     state.interface.menu_target = *position;
     position.reset();
-    ImGui::OpenPopup(kName);
+    ImGui::OpenPopup(kViewportMenu);
   }
-  if (!ImGui::BeginPopup(kName)) return;
+  if (!ImGui::BeginPopup(kViewportMenu)) return;
   draw_object_items(state);
   if (ImGui::MenuItem("Focus and orbit here", "double click")) focus_at(state, state.interface.menu_target);
   state.ui.items.add("viewport-menu.focus");

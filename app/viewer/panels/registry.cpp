@@ -11,6 +11,7 @@
   PANEL(camera)        \
   PANEL(display)       \
   PANEL(convergence)   \
+  PANEL(histogram)     \
   PANEL(reliability)   \
   PANEL(paths)         \
   PANEL(techniques)    \

@@ -9,6 +9,7 @@
 #include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
+#include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/stored_points.h"
 
 namespace etendue::viewer {
@@ -72,6 +73,21 @@ json aov_report(const AovImage& image) {
   for (const Rgb& pixel : image.pixels) sum += pixel;
   const float mean = image.pixels.empty() ? 0 : luminance(sum) / static_cast<float>(image.pixels.size());
   return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
+}
+
+json pixel_report(const AppState& state, const std::optional<Vec2i>& pixel) {
+  const auto values = pixel ? pixel_values(state, *pixel) : std::nullopt;
+  if (!values) return nullptr;
+  const auto array = [](const Rgb& c) { return json{c.r, c.g, c.b}; };
+  json j{{"x", values->pixel.x},
+         {"y", values->pixel.y},
+         {"radiance", array(values->radiance)},
+         {"displayed", array(values->displayed)},
+         {"preview", values->is_preview}};
+  if (values->samples) j["samples"] = *values->samples;
+  if (values->standard_error) j["standard_error"] = *values->standard_error;
+  if (values->layer) j["layer"] = array(*values->layer);
+  return j;
 }
 
 json ranks_report(const AppState& state) {
@@ -154,6 +170,9 @@ std::string state_report(AppState& state) {
   if (const auto* points = state.viewport.stored_points->result())
     j["points"] = {{"kept", points->stored}, {"seen", points->points.size()}};
   if (state.shows_aov()) j["aov"] = aov_report(state.viewport.aov->image());
+  if (state.viewport.show_pixel_values)
+    j["pixel_values"] = {{"pointer", pixel_report(state, pixel_under_pointer(state))},
+                         {"pinned", pixel_report(state, state.viewport.pinned_pixel)}};
   for (const auto& panel : state.panels.all()) panel->report(state, j);
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -12,6 +12,7 @@
 #include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
+#include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/stored_points.h"
 
 namespace etendue::viewer {
@@ -72,9 +73,15 @@ std::vector<WaitCondition> viewport_conditions() {
     if (state.viewport.aov_name.empty()) return impossible("an AOV is computed while it is shown; set view.aov first");
     return {.done = state.shows_aov() && state.viewport.aov->image().version == state.editor->version()};
   };
+  const auto pixel_values = [](AppState& state, std::optional<uint32_t>) -> StepStatus {
+    if (!state.viewport.show_pixel_values)
+      return impossible("pixel values are computed while they are shown; click view.pixel-values first");
+    return {.done = state.viewport.pixel_readout->errors() != nullptr};
+  };
   return {{.name = "comparison", .check = comparison, .needs_frames = true},
           {.name = "points", .check = points},
-          {.name = "aov", .check = aov}};
+          {.name = "aov", .check = aov},
+          {.name = "pixel-values", .check = pixel_values}};
 }
 
 std::vector<WaitCondition> all_conditions(const std::vector<std::unique_ptr<Panel>>& panels) {

@@ -16,6 +16,7 @@
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
+#include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 
@@ -66,6 +67,7 @@ AppState::AppState(Platform& p, const ViewOptions& o)
   files.session_export = std::make_unique<SessionExport>(wake);
   viewport.aov = std::make_unique<AovLayer>(*session, *editor, wake);
   viewport.comparison = std::make_unique<Comparison>(wake);
+  viewport.pixel_readout = std::make_unique<PixelReadout>(*session, *editor, wake);
   viewport.selection_outline = std::make_unique<SelectionOutline>(*session, *editor, wake);
   viewport.stored_points = std::make_unique<StoredPoints>(*session, *editor, wake);
   ui.scale = platform.scale();

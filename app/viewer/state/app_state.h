@@ -47,6 +47,7 @@ class FileThumbnails;
 class ImageExport;
 class Loader;
 class PathClassTask;
+class PixelReadout;
 class Platform;
 class SceneExport;
 class SessionExport;
@@ -82,6 +83,9 @@ struct ViewportState {
   std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
   std::unique_ptr<AovLayer> aov;
   std::unique_ptr<Comparison> comparison;
+  bool show_pixel_values = false;
+  std::optional<Vec2i> pinned_pixel;
+  std::unique_ptr<PixelReadout> pixel_readout;
   std::unique_ptr<StoredPoints> stored_points;
   std::unique_ptr<SelectionOutline> selection_outline;
 

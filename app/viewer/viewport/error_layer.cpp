@@ -42,12 +42,17 @@ std::vector<double> smoothed(const std::vector<double>& values, int count, int l
 
 }  // namespace
 
-ErrorLayer error_layer(const film::Film& film) {
+std::vector<double> pixel_errors(const film::Film& film) {
   const int width = film.width();
   const int height = film.height();
   std::vector<double> errors = smoothed(pixel_variances(film), height, width, width, 1);
   errors = smoothed(errors, width, height, 1, width);
   for (double& e : errors) e = std::sqrt(e);
+  return errors;
+}
+
+ErrorLayer error_layer(const film::Film& film) {
+  const std::vector<double> errors = pixel_errors(film);
   ErrorLayer layer;
   layer.pixels.assign(errors.size(), Rgb(0));
   if (errors.empty()) return layer;

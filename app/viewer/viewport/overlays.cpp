@@ -19,6 +19,7 @@
 #include "viewer/viewport/image_view.h"
 #include "viewer/viewport/object_icons.h"
 #include "viewer/viewport/picking.h"
+#include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/reliability_overlay.h"
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
@@ -202,6 +203,7 @@ void draw_viewport_overlays(AppState& state) {
     draw_darkness(state);
   }
   if (state.interface.visible) viewport.gizmo.draw(state, *draw);
+  if (state.interface.visible && viewport.show_pixel_values) draw_pixel_readout(state);
   if (!viewport.aov_name.empty())
     draw_label(draw, viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
   draw->PopClipRect();
