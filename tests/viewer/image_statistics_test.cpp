@@ -40,7 +40,8 @@ TEST(ImageStatistics, WaveformHasTheDisplayedValueOfEachColumn) {
   const ImageStatistics s = image_statistics(grey_columns(8, 5), 8, 0, image::ToneCurve::none);
   ASSERT_EQ(s.columns, 8);
   for (int x = 0; x < 8; ++x) {
-    const float shown = image::displayed(Rgb(std::exp2(static_cast<float>(x - 3)) * 1.01f), 0, image::ToneCurve::none).g;
+    const float shown =
+        image::displayed(Rgb(std::exp2(static_cast<float>(x - 3)) * 1.01f), 0, image::ToneCurve::none).g;
     const int level = static_cast<int>(std::lround(shown * 255)) * kWaveformLevels / kDisplayLevels;
     for (int i = 0; i < kWaveformLevels; ++i)
       EXPECT_EQ(s.waveform[1][static_cast<size_t>(x * kWaveformLevels + i)], i == level ? 5u : 0u) << x << " " << i;

@@ -33,8 +33,8 @@ void draw_luminance_histogram(const UiContext& ui, ImDrawList* draw, const Place
   const auto& counts = s.luminance_counts;
   const double low = s.low_stops();
   const double bins = std::max<double>(1, static_cast<double>(counts.size()));
-  const PlotAxis x{.logarithmic = true, .low = std::exp2(low), .high = std::exp2(low + bins / kBinsPerStop)};
-  const Plot plot(ui, draw, frame, "Pixels by luminance (cd/m\u00b2)", x, count_axis(largest(counts)));
+  const PlotAxis x{.logarithmic = false, .low = low, .high = low + bins / kBinsPerStop};
+  const Plot plot(ui, draw, frame, "Luminance (log2 cd/m\u00b2)", x, count_axis(largest(counts)));
   plot.draw_axes();
   const Placement& area = plot.area();
   const auto width = area.size.x / static_cast<float>(bins);
@@ -51,7 +51,7 @@ void draw_displayed_histogram(const UiContext& ui, ImDrawList* draw, const Place
   double max = 0;
   for (const auto& channel : s.displayed_counts) max = std::max(max, largest(channel));
   const PlotAxis x{.logarithmic = false, .low = 0, .high = kDisplayLevels - 1};
-  const Plot plot(ui, draw, frame, "Pixels by displayed value", x, count_axis(max));
+  const Plot plot(ui, draw, frame, "Displayed value", x, count_axis(max));
   plot.draw_axes();
   for (size_t k = 0; k < 3; ++k) {
     std::vector<ImVec2> points;
@@ -69,7 +69,7 @@ float brightness(uint32_t count, double max) {
 void draw_waveform(const UiContext& ui, ImDrawList* draw, const Placement& frame, const ImageStatistics& s) {
   const PlotAxis x{.logarithmic = false, .low = 0, .high = 1};
   const PlotAxis y{.logarithmic = false, .low = 0, .high = kDisplayLevels};
-  const Plot plot(ui, draw, frame, "Waveform: displayed value by position across the image", x, y);
+  const Plot plot(ui, draw, frame, "Waveform", x, y);
   const Placement& area = plot.area();
   draw->AddRectFilled({area.corner.x, area.corner.y}, {area.corner.x + area.size.x, area.corner.y + area.size.y},
                       IM_COL32(0, 0, 0, 255));
@@ -146,12 +146,9 @@ class HistogramPanel final : public Panel {
   void report(AppState&, nlohmann::json& json) override {
     const ImageStatistics* s = task_.result();
     if (!s) return;
-    json["histogram"] = {{"pixels", s->pixels},
-                         {"black", s->black},
-                         {"invalid", s->invalid},
-                         {"above_white", s->above_white},
-                         {"clipped_low", s->clipped_low},
-                         {"clipped_high", s->clipped_high}};
+    json["histogram"] = {{"pixels", s->pixels},           {"black", s->black},
+                         {"invalid", s->invalid},         {"above_white", s->above_white},
+                         {"clipped_low", s->clipped_low}, {"clipped_high", s->clipped_high}};
   }
 
   void update(AppState& state) override {

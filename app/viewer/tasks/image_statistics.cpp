@@ -6,9 +6,7 @@
 namespace etendue::viewer {
 namespace {
 
-int bin_of(float luminance) {
-  return static_cast<int>(std::floor(std::log2(double{luminance}) * kBinsPerStop));
-}
+int bin_of(float luminance) { return static_cast<int>(std::floor(std::log2(double{luminance}) * kBinsPerStop)); }
 
 void count_luminances(std::span<const Rgb> pixels, ImageStatistics& result) {
   float max = 0;
@@ -45,8 +43,8 @@ void count_displayed(std::span<const Rgb> pixels, int width, float exposure, ima
     const auto x = static_cast<int>(i % static_cast<size_t>(width));
     const int column = x * result.columns / width;
     for (int k = 0; k < 3; ++k) {
-      const auto value = std::clamp(static_cast<int>(std::lround(shown[k] * (kDisplayLevels - 1))), 0,
-                                    kDisplayLevels - 1);
+      const auto value =
+          std::clamp(static_cast<int>(std::lround(shown[k] * (kDisplayLevels - 1))), 0, kDisplayLevels - 1);
       const int level = value * kWaveformLevels / kDisplayLevels;
       ++result.displayed_counts[static_cast<size_t>(k)][static_cast<size_t>(value)];
       ++result.waveform[static_cast<size_t>(k)][static_cast<size_t>(column * kWaveformLevels + level)];
@@ -67,8 +65,10 @@ ImageStatistics image_statistics(std::span<const Rgb> pixels, int width, float e
   count_luminances(pixels, result);
   count_displayed(pixels, width, exposure, curve, result);
   for (size_t k = 0; k < 3; ++k) {
-    result.clipped_low[k] = static_cast<double>(result.displayed_counts[k].front()) / static_cast<double>(pixels.size());
-    result.clipped_high[k] = static_cast<double>(result.displayed_counts[k].back()) / static_cast<double>(pixels.size());
+    result.clipped_low[k] =
+        static_cast<double>(result.displayed_counts[k].front()) / static_cast<double>(pixels.size());
+    result.clipped_high[k] =
+        static_cast<double>(result.displayed_counts[k].back()) / static_cast<double>(pixels.size());
   }
   return result;
 }

@@ -10,7 +10,7 @@
 
 namespace etendue::viewer {
 
-inline constexpr int kDisplayLevels = 256;   // of a displayed 8-bit value
+inline constexpr int kDisplayLevels = 256;    // of a displayed 8-bit value
 inline constexpr int kWaveformColumns = 128;  // at most; each covers an equal share of the image's width
 inline constexpr int kWaveformLevels = 64;
 inline constexpr int kBinsPerStop = 4;  // of the luminance histogram

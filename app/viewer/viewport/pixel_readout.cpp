@@ -43,11 +43,11 @@ bool is_inside(Vec2i pixel, int width, int height) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < width && pixel.y < height;
 }
 
-std::string rgb_text(const Rgb& c) { return formatted("%8.4g %8.4g %8.4g", double{c.r}, double{c.g}, double{c.b}); }
+std::string rgb_text(const Rgb& c) { return formatted("%.3g %.3g %.3g", double{c.r}, double{c.g}, double{c.b}); }
 
 std::string byte_text(const Rgb& c) {
   const auto byte = [](float v) { return static_cast<int>(std::lround(v * 255)); };
-  return formatted("%8d %8d %8d", byte(c.r), byte(c.g), byte(c.b));
+  return formatted("%d %d %d", byte(c.r), byte(c.g), byte(c.b));
 }
 
 struct Row {
@@ -107,7 +107,8 @@ void draw_layer_row(const AppState& state, const std::optional<PixelValues>& poi
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("Layer");
-  if (ImGui::IsItemHovered()) tooltip(state.ui, "Radiance of the layer that is shown instead of the image, in cd/m\u00b2");
+  if (ImGui::IsItemHovered())
+    tooltip(state.ui, "Radiance of the layer that is shown instead of the image, in cd/m\u00b2");
   ImGui::PushFont(state.ui.fonts.monospace);
   for (const auto* values : {&pointer, &pinned}) {
     if (values == &pinned && !pinned) continue;
@@ -196,8 +197,8 @@ void draw_pixel_readout(AppState& state) {
   ImGui::Begin("##pixel values", nullptr, kReadoutWindow);
   if (ImGui::BeginTable("##values", pinned ? 3 : 2, ImGuiTableFlags_SizingFixedFit)) {
     ImGui::TableSetupColumn("##label");
-    ImGui::TableSetupColumn("Pointer", ImGuiTableColumnFlags_WidthFixed, 15 * em);
-    if (pinned) ImGui::TableSetupColumn("Pinned", ImGuiTableColumnFlags_WidthFixed, 15 * em);
+    ImGui::TableSetupColumn("Pointer", ImGuiTableColumnFlags_WidthFixed, 11 * em);
+    if (pinned) ImGui::TableSetupColumn("Pinned", ImGuiTableColumnFlags_WidthFixed, 11 * em);
     ImGui::TableHeadersRow();
     draw_rows(state.ui, pointer, pinned);
     draw_layer_row(state, pointer, pinned);

@@ -21,7 +21,7 @@ class Editor;
 
 // Sample counts and errors of all pixels at one moment, row by row.
 struct PixelErrors {
-  uint64_t version = 0;       // of the document
+  uint64_t version = 0;        // of the document
   uint32_t frame_samples = 0;  // complete samples of every pixel
   int width = 0;
   int height = 0;
