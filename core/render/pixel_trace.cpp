@@ -19,13 +19,18 @@ std::string per_pixel_integrators() {
 
 }  // namespace
 
-std::string why_untraceable(const Document& document) {
+std::string untraceable_reason(const Document& document) {
   if (PixelSamples::supports(document)) return {};
   const auto& info = *integrator::find_integrator(document.method.integrator);
-  const std::string reason = info.accumulation == Accumulation::per_image
-                                 ? "its samples use photons or virtual lights of the whole image"
-                                 : "its paths contribute to any pixel";
-  return "no sample of '" + info.name + "' belongs to one pixel: " + reason + "; use one of " + per_pixel_integrators();
+  return info.accumulation == Accumulation::per_image ? "its samples use photons or virtual lights of the whole image"
+                                                      : "its paths contribute to any pixel";
+}
+
+std::string why_untraceable(const Document& document) {
+  const std::string reason = untraceable_reason(document);
+  if (reason.empty()) return {};
+  return "no sample of '" + document.method.integrator + "' belongs to one pixel: " + reason + "; use one of " +
+         per_pixel_integrators();
 }
 
 Result<PixelTrace> trace_pixel(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel,

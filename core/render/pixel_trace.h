@@ -25,6 +25,8 @@ struct PixelTrace {
 
 // Why the samples of a document cannot be traced; empty if they can.
 std::string why_untraceable(const Document& document);
+// The same without names, for a message that names the integrator by its label: "its paths contribute to any pixel".
+std::string untraceable_reason(const Document& document);
 
 // The error says what is wrong: the integrator, or a pixel outside the image.
 Result<PixelTrace> trace_pixel(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel,

@@ -14,7 +14,7 @@ struct Margins {
   double left, right, top, bottom;
 };
 constexpr Margins kMargins{78, 24, 52, 46};
-constexpr Margins kEmbeddedMargins{54, 10, 10, 24};
+constexpr Margins kEmbeddedMargins{54, 10, 24, 24};
 constexpr double kLegendRow = 22;
 constexpr double kText = 13, kTitle = 16;
 constexpr int kSteps = 25, kEmbeddedSteps = 64;        // points along a curve
@@ -149,8 +149,8 @@ class Chart {
     const std::string x_label = options_.abscissa == Abscissa::seconds ? "seconds"
                                 : options_.work_label.empty()          ? "samples per pixel"
                                                                        : options_.work_label;
-    // Curves fall, so the upper right corner is free.
-    if (options_.embedded) return add_text(right() - 8, margins_.top + 18, kind + " over " + x_label, Anchor::right);
+    // Above the plot area, where no curve and no slope is.
+    if (options_.embedded) return add_text(right(), margins_.top - 8, kind + " over " + x_label, Anchor::right);
     add_text(margins_.left, 20, options_.title, Anchor::left, options_.palette.text, kTitle);
     add_text(margins_.left, 42, kind);
     add_text(right(), bottom() + 36, x_label, Anchor::right);

@@ -3,26 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "metrics/log_axis.h"
+
 namespace etendue::metrics {
 namespace {
 
 constexpr double kSmallText = 13, kLargeText = 16, kRowOfLegend = 22;
 constexpr double kLeftMargin = 78, kRightMargin = 24, kTopMargin = 52, kBottomMargin = 46;
 constexpr double kEmbeddedLeft = 54, kEmbeddedRight = 10, kEmbeddedTop = 10, kEmbeddedBottom = 24;
-constexpr int kTickCount = 9;
-
-// Ticks at multiples of 1, 2 or 5 times a power of ten.
-std::vector<LogAxis::Tick> linear_axis_ticks(double low, double high) {
-  const double least = (high - low) / kTickCount;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  double step = 10 * power;
-  for (const double digit : {5.0, 2.0, 1.0})
-    if (digit * power >= least) step = digit * power;
-  std::vector<LogAxis::Tick> ticks;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-    ticks.push_back({i * step, short_number(i * step + 0.0)});
-  return ticks;
-}
 
 // A linear or a logarithmic axis.
 class FunctionAxis {
@@ -35,7 +23,7 @@ class FunctionAxis {
     return at_low_ + (value - low_) / (high_ - low_) * (at_high_ - at_low_);
   }
   std::vector<LogAxis::Tick> ticks() const {
-    return logarithmic_ ? LogAxis(low_, high_, at_low_, at_high_).ticks() : linear_axis_ticks(low_, high_);
+    return logarithmic_ ? LogAxis(low_, high_, at_low_, at_high_).ticks() : linear_ticks(low_, high_);
   }
   double low() const { return low_; }
 

@@ -1,5 +1,6 @@
 #include "metrics/log_axis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -34,9 +35,9 @@ std::vector<LogAxis::Tick> LogAxis::ticks() const {
   return ticks;
 }
 
-std::string short_number(double value) {
+std::string short_number(double value, int digits) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   std::string number = text;
   // Shortens the exponent: 1e-05 becomes 1e-5.
   const size_t e = number.find('e');
@@ -45,6 +46,23 @@ std::string short_number(double value) {
     if (number[e + 1] == '+') number.erase(e + 1, 1);
   }
   return number;
+}
+
+std::vector<LogAxis::Tick> linear_ticks(double low, double high) {
+  constexpr int kMostTicks = 9, kLeastDigits = 3, kMostDigits = 15;
+  const double least = (high - low) / kMostTicks;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  double step = 10 * power;
+  for (const double digit : {5.0, 2.0, 1.0})
+    if (digit * power >= least) step = digit * power;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  const int distinct = static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(step))) + 1;
+  const int digits = std::clamp(distinct, kLeastDigits, kMostDigits);
+  std::vector<LogAxis::Tick> ticks;
+  // Adding zero turns -0 into 0.
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
+    ticks.push_back({i * step, short_number(i * step + 0.0, digits)});
+  return ticks;
 }
 
 }  // namespace etendue::metrics

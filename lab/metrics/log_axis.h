@@ -27,7 +27,11 @@ class LogAxis {
   double low_, high_, at_low_, at_high_;
 };
 
-// Three significant digits in the shortest form: "0.01", "20", "1e-5".
-std::string short_number(double value);
+// At most this number of significant digits in the shortest form: "0.01", "20", "1e-5".
+std::string short_number(double value, int digits = 3);
+
+// Tick marks of a linear axis at multiples of 1, 2 or 5 times a power of ten, about ten of them. All have labels, with
+// as many digits as distinguish neighbours, but at least three. low < high.
+std::vector<LogAxis::Tick> linear_ticks(double low, double high);
 
 }  // namespace etendue::metrics

@@ -64,6 +64,24 @@ TEST_F(Gizmo, ScalesAlongOneAxis) {
     EXPECT_NEAR(value(a, other), value(b, other), 1e-5) << other;
 }
 
+// The node of the tall box is at the origin of the scene; the centre of its bounds has x = (2.65 + 4.72) / 2 m, from the
+// published corners of the Cornell box. Scaling keeps that point: translation.x + scale.x * x = x.
+TEST_F(Gizmo, ScalesAboutTheCentreOfTheGeometry) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
+                             click("tab.scene"),
+                             click("scene.node.7"),
+                             key("s"),
+                             {{"do", "wait"}, {"spp", 1}},
+                             drag_handle("gizmo.x", -30, 0),
+                             file_step("state", path("b.json"))})),
+            0);
+  const json b = state("b.json");
+  const double scale = value(b, "scale.x");
+  ASSERT_GT(scale, 1.1);
+  EXPECT_NEAR(value(b, "translation.x") / (1 - scale), 3.685, 1e-3);
+  for (const char* other : {"translation.y", "translation.z"}) EXPECT_NEAR(value(b, other), 0, 1e-5) << other;
+}
+
 TEST_F(Gizmo, MovedObjectsAreRestored) {
   const auto save = [&](const std::string& name) {
     return json::array({{{"do", "wait"}, {"spp", 4}},

@@ -3,8 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "render/session.h"
@@ -30,25 +33,22 @@ constexpr MouseShortcut kMouseShortcuts[] = {
     {"Orbit", "left drag"},
     {"Pan", "middle drag, Shift + left drag"},
     {"Dolly to the pointer", "wheel"},
-    {"Fly", "hold right: W A S D Q E, wheel for speed"},
+    {"Fly; wheel for speed", "right drag + W A S D Q E"},
     {"Select", "click"},
     {"Focus and orbit centre", "double click"},
-    {"Menu of an object, a parameter", "right click"},
-    {"Move the divider of A and B", "drag; double click to centre"},
+    {"Context menu", "right click"},
+    {"Divider of A and B", "drag; double click to centre"},
     {"Show the reference", "hold Shift"},
-    {"Samples of a pixel", "Ctrl + click, Sampling panel open"},
+    {"Samples of a pixel", "Ctrl + click with Sampling panel"},
     {"Enter a number", "double click"},
     {"Reset a parameter", "Ctrl + click"},
     {"Open a file", "drop it on the window"},
 };
 
-void table_row(const std::string& effect, const std::string& input) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(effect.c_str());
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", input.c_str());
-}
+struct ShortcutRow {
+  std::string effect, input;
+};
+using ShortcutRows = std::vector<ShortcutRow>;
 
 // Actions with shortcuts: those of the menu Integrator, or those of all other menus.
 std::vector<const Action*> actions_with_shortcuts(const AppState& state, bool integrators) {
@@ -58,14 +58,46 @@ std::vector<const Action*> actions_with_shortcuts(const AppState& state, bool in
   return list;
 }
 
-void shortcut_rows(const std::vector<const Action*>& actions) {
-  for (const Action* action : actions) table_row(action->label, label(action->chords()));
+ShortcutRows rows_of(std::span<const Action* const> actions) {
+  ShortcutRows rows;
+  for (const Action* action : actions) rows.push_back({action->label, label(action->chords())});
+  return rows;
 }
 
-// `width` is relative to the font size.
-bool begin_table(const char* name, float width) {
-  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX,
-                           {ImGui::GetFontSize() * width, 0});
+// Three columns of about equal height: mouse and integrators, and the other actions in two halves.
+std::array<ShortcutRows, 3> help_columns(const AppState& state) {
+  ShortcutRows first;
+  for (const auto& shortcut : kMouseShortcuts) first.push_back({shortcut.effect, shortcut.input});
+  for (ShortcutRow& row : rows_of(actions_with_shortcuts(state, true))) first.push_back(std::move(row));
+  const auto others = actions_with_shortcuts(state, false);
+  const auto half = std::span(others).first((others.size() + 1) / 2);
+  return {first, rows_of(half), rows_of(std::span(others).subspan(half.size()))};
+}
+
+float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// The widest text in front of the inputs.
+float effect_width(const ShortcutRows& rows) {
+  float width = 0;
+  for (const ShortcutRow& row : rows) width = std::max(width, text_width(row.effect));
+  return width;
+}
+
+// Draws a column with its upper left corner at the cursor, and returns its size.
+ImVec2 draw_shortcuts(const ShortcutRows& rows) {
+  const ImVec2 corner = ImGui::GetCursorPos();
+  const float height = std::floor(ImGui::GetFontSize() * 1.35f);
+  const float inputs = effect_width(rows) + ImGui::GetFontSize();
+  float width = 0, y = corner.y;
+  for (const ShortcutRow& row : rows) {
+    ImGui::SetCursorPos({corner.x, y});
+    ImGui::TextUnformatted(row.effect.c_str());
+    ImGui::SetCursorPos({corner.x + inputs, y});
+    ImGui::TextDisabled("%s", row.input.c_str());
+    width = std::max(width, inputs + text_width(row.input));
+    y += height;
+  }
+  return {width, y - corner.y};
 }
 
 // A bar that moves back and forth, because the duration is unknown.
@@ -89,37 +121,23 @@ void draw_help(AppState& state) {
   bool& open = state.interface.help_open;
   if (!open) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x - em, screen.y - em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
-  ImGui::Begin("##help", nullptr, kPopup);
-  constexpr float kMouseWidth = 30;  // font sizes
-  constexpr float kKeyWidth = 22;
-  const float em = ImGui::GetFontSize();
-  const auto integrators = actions_with_shortcuts(state, true);
-  const auto others = actions_with_shortcuts(state, false);
-  const size_t rows = std::max(std::size(kMouseShortcuts) + integrators.size(), others.size());
-  const float row_height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const float frame = 2 * ImGui::GetStyle().WindowPadding.y + 2 * ImGui::GetFrameHeightWithSpacing();
-  const ImVec2 size{std::min((kMouseWidth + kKeyWidth + 1) * em, screen.x - 3 * em),
-                    std::min((static_cast<float>(rows) + 0.5f) * row_height, screen.y - frame)};
+  // Scrolls only where the window is smaller than the list.
+  ImGui::Begin("##help", nullptr, (kPopup & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(state.ui.theme.accent, "Keyboard and mouse shortcuts");
-  ImGui::SameLine(size.x - 4 * em);
+  ImGui::SameLine(0, 2 * em);
   if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
   state.ui.items.add("help.close");
-  ImGui::BeginChild("##shortcuts", size);
-  if (begin_table("##mouse", kMouseWidth)) {
-    for (const auto& shortcut : kMouseShortcuts) table_row(shortcut.effect, shortcut.input);
-    shortcut_rows(integrators);
-    ImGui::EndTable();
+  ImVec2 corner = ImGui::GetCursorPos();
+  for (const ShortcutRows& rows : help_columns(state)) {
+    ImGui::SetCursorPos(corner);
+    corner.x += draw_shortcuts(rows).x + 2 * em;
   }
-  ImGui::SameLine();
-  if (begin_table("##keys", kKeyWidth)) {
-    shortcut_rows(others);
-    ImGui::EndTable();
-  }
-  ImGui::EndChild();
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

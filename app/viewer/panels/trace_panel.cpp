@@ -195,8 +195,10 @@ class TracePanel final : public Panel {
 
   void draw_content(AppState& state) {
     const UiContext& ui = state.ui;
-    if (const auto reason = render::why_untraceable(state.document()); !reason.empty())
-      return warning(ui, "There is nothing to trace: " + reason + ".");
+    if (const auto reason = render::untraceable_reason(state.document()); !reason.empty())
+      return warning(ui, "No sample of " + integrator_label(state.document().method.integrator) +
+                             " belongs to one pixel: " + reason + ". Choose another integrator, such as " +
+                             integrator_label("path") + ".");
     if (!task_.pixel())
       return note(ui, "Select a pixel with Trace pixel and a click in the image, or with Ctrl+click.");
     const ShownTrace* shown = task_.result();

@@ -150,7 +150,7 @@ std::optional<Gizmo::Frame> Gizmo::frame_of(const AppState& state) const {
   frame.to_world = world[static_cast<size_t>(index)];
   if (node.parent >= 0) frame.parent = world[static_cast<size_t>(node.parent)];
   if (scene::is_singular(frame.to_world) || scene::is_singular(frame.parent)) return std::nullopt;
-  frame.origin = Vec3(frame.to_world[3]);
+  frame.origin = Vec3(frame.to_world * Vec4(mesh_centre_.of(scene, index), 1));
   // A scale acts along the axes of the object.
   if (local || mode == GizmoMode::scale)
     for (int c = 0; c < 3; ++c) frame.axes[c] = glm::normalize(Vec3(frame.to_world[c]));
@@ -287,8 +287,11 @@ std::optional<Gizmo::Change> Gizmo::scaling(const AppState& state, Vec2 position
   else
     scale[drag_->handle.axis] = factor;
   Change change;
-  // In the space of the object, about its origin.
-  change.matrix = frame.to_world * glm::scale(Mat4(1), scale) * glm::inverse(frame.to_world);
+  // Along the axes of the object, about the origin of the handles.
+  const Mat4 from_world = glm::inverse(frame.to_world);
+  const Vec3 centre = Vec3(from_world * Vec4(frame.origin, 1));
+  change.matrix = frame.to_world * glm::translate(Mat4(1), centre) * glm::scale(Mat4(1), scale) *
+                  glm::translate(Mat4(1), -centre) * from_world;
   change.text = (is_uniform ? std::string("scale") : kAxisNames[static_cast<size_t>(drag_->handle.axis)]) +
                 formatted(" \u00d7%.3g", static_cast<double>(factor));
   return change;

@@ -1,6 +1,6 @@
 // Handles in the viewport that move, rotate and scale the selected object.
 //
-// All movements are computed from the transform at the start of the drag, so rounding errors do not accumulate. A drag
+// The handles are at the centre of the bounds of the object's mesh, and the object rotates and scales about that point. All movements are computed from the transform at the start of the drag, so rounding errors do not accumulate. A drag
 // is one step of undo.
 #pragma once
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "base/vec.h"
 #include "scene/forward.h"
+#include "viewer/tools/mesh_centre.h"
 
 struct ImDrawList;
 
@@ -43,7 +44,7 @@ class Gizmo {
  private:
   // Where the handles are, for the selected object.
   struct Frame {
-    Vec3 origin{0};
+    Vec3 origin{0};    // centre of the bounds of the mesh, or origin of a node without a mesh
     Mat3 axes{1};      // columns, normalised
     float length = 1;  // of an axis, metres; constant on screen
     Mat4 to_world{1};  // of the node
@@ -75,6 +76,7 @@ class Gizmo {
   // Names a point of each axis or ring for scripts.
   void register_items(AppState& state, const Frame& frame) const;
 
+  MeshCentre mesh_centre_;
   std::optional<Drag> drag_;
   std::optional<GizmoHandle> hovered_;
   Vec2 last_position_{0};  // of the pointer

@@ -49,7 +49,8 @@ std::string difference_title(const Comparison& c) {
   return std::string(c.left_letter()) + " \u2212 " + c.right_letter();
 }
 
-// The titles are placed at both sides of the divider, and shortened to the width of their side.
+// The titles are placed at both sides of the divider. They may extend beyond the image, and are shortened
+// where the viewport ends.
 void draw_side_titles(const AppState& state, ImDrawList* draw) {
   const Comparison& c = *state.viewport.comparison;
   const Placement image = state.viewport.visible_image();
@@ -57,13 +58,15 @@ void draw_side_titles(const AppState& state, ImDrawList* draw) {
   const float x = divider_x(state);
   const float y = image.corner.y + em * 0.6f;
   const float gap = em * 0.5f;
-  const float right_end = image.corner.x + image.size.x;
+  const Placement& region = state.viewport.region;
+  const float left_end = region.corner.x;
+  const float right_end = region.corner.x + region.size.x;
   const float bottom = image.corner.y + image.size.y;
   const float margins = 2 * gap + label_size("").x;
-  const std::string left = shortened(left_title(c), x - image.corner.x - margins);
+  const std::string left = shortened(left_title(c), x - left_end - margins);
   const std::string right = shortened(right_title(c), right_end - x - margins);
-  draw->PushClipRect({image.corner.x, image.corner.y}, {x - 2, bottom}, true);
-  draw_label(draw, {std::max(image.corner.x + gap, x - gap - label_size(left).x), y}, left);
+  draw->PushClipRect({left_end, image.corner.y}, {x - 2, bottom}, true);
+  draw_label(draw, {std::max(left_end + gap, x - gap - label_size(left).x), y}, left);
   draw->PopClipRect();
   draw->PushClipRect({x + 2, image.corner.y}, {right_end, bottom}, true);
   draw_label(draw, {x + gap, y}, right);
@@ -134,10 +137,12 @@ void draw_pixel_values(const AppState& state, ImDrawList* draw) {
     const auto value = static_cast<double>(map->values[index]);
     text += c.mode == CompareMode::flip ? formatted("\nFLIP %10.4f", value) : formatted("\nlum. %10.4g", value);
   }
-  const Placement image = state.viewport.visible_image();
+  // At the right border of the viewport, below titles and scale bars and above the notices at the lower border.
+  const Placement& region = state.viewport.region;
+  const float em = ImGui::GetFontSize();
+  const float top = state.viewport.visible_image().corner.y + 7 * em;
   ImGui::PushFont(state.ui.fonts.monospace);
-  // In the right corner, because notices are in the left one.
-  draw_label(draw, image.corner + image.size - Vec2(ImGui::GetFontSize() * 0.6f) - label_size(text), text);
+  draw_label(draw, {region.corner.x + region.size.x - 0.6f * em - label_size(text).x, top}, text);
   ImGui::PopFont();
 }
 

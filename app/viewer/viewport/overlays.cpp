@@ -196,13 +196,13 @@ void draw_viewport_overlays(AppState& state) {
   const Comparison& comparison = *viewport.comparison;
   const bool shows_map = comparison.map() && !comparison.reference_is_shown();
   if (viewport.false_color && viewport.aov_name.empty() && !shows_map) draw_false_color_scale(state, draw);
+  if (state.interface.visible) viewport.gizmo.draw(state, *draw);
   draw_comparison_overlay(state, draw);
   for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
   if (state.interface.visible) {
     draw_incompatibility(state);
     draw_darkness(state);
   }
-  if (state.interface.visible) viewport.gizmo.draw(state, *draw);
   if (state.interface.visible && viewport.show_pixel_values) draw_pixel_readout(state);
   if (!viewport.aov_name.empty())
     draw_label(draw, viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));

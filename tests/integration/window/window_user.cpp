@@ -91,8 +91,7 @@ WindowUser::WindowUser(const std::string& viewer, const fs::path& folder, const 
           (folder / "settings").c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
-  const bool started =
-      wait_for(kStartTimeout, [&] { return !is_running() || (fs::exists(report_file_) && !report().is_null()); });
+  const bool started = wait_for(kStartTimeout, [&] { return !is_running() || fs::exists(report_file_); });
   if (!started || !is_running()) throw std::runtime_error("the viewer does not start");
   window_ = output_of("DISPLAY=" + display_ + " xdotool search --onlyvisible --name tendue");
   if (window_.empty()) throw std::runtime_error("there is no window");
@@ -107,9 +106,16 @@ WindowUser::~WindowUser() {
   }
 }
 
+// The viewer may be writing the file, so reading is repeated until the text is complete.
 WindowUser::json WindowUser::report() {
-  std::ifstream in(report_file_);
-  return json::parse(in, nullptr, false);
+  json latest;
+  const bool is_complete = wait_for(kTimeout, [&] {
+    std::ifstream in(report_file_);
+    latest = json::parse(in, nullptr, false);
+    return latest.is_object() || !is_running();
+  });
+  if (!is_complete || !latest.is_object()) throw std::runtime_error("the viewer writes no state report");
+  return latest;
 }
 
 bool WindowUser::wait_until(const std::function<bool(const json&)>& condition, double seconds) {

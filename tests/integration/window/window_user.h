@@ -24,7 +24,8 @@ class WindowUser {
   WindowUser(const WindowUser&) = delete;
   WindowUser& operator=(const WindowUser&) = delete;
 
-  // The latest state report, with the placements of all items as [x, y, width, height].
+  // The latest state report, with the placements of all items as [x, y, width, height]. Throws std::runtime_error if
+  // there is none within the time limit, or if the viewer has ended.
   json report();
   // Waits until a report fulfils a condition; returns false after this time or if the viewer has ended.
   bool wait_until(const std::function<bool(const json&)>& condition, double seconds = 10);
