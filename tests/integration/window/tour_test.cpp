@@ -20,7 +20,8 @@ class Tour : public Window {
   // The messages that are not confirmations of what the user did.
   std::vector<std::string> warnings() {
     std::vector<std::string> found;
-    for (const std::string message : user_->report()["log"]) {
+    const json report = user_->report();
+    for (const std::string message : report["log"]) {
       const bool is_confirmation = message.starts_with("Saved ") || message.starts_with("Pinned as B") ||
                                    message.starts_with("Integrator chosen automatically");
       if (!is_confirmation) found.push_back(message);
