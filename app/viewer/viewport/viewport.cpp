@@ -68,7 +68,10 @@ void ViewportController::handle_input(AppState& state, float seconds) {
   const Input& input = state.ui.input;
   const bool hovered = !ImGui::GetIO().WantCaptureMouse && state.viewport.region.contains(input.mouse);
   const bool moves_divider = drag_ == Drag::none && divider_.handle_input(state, hovered);
-  const bool moves_object = drag_ == Drag::none && !moves_divider && state.viewport.gizmo.handle_input(state, hovered);
+  // A click with an active tool belongs to the tool, also over the handles.
+  const bool reaches_handles = hovered && !state.viewport.click_tool;
+  const bool moves_object =
+      drag_ == Drag::none && !moves_divider && state.viewport.gizmo.handle_input(state, reaches_handles);
   if (drag_ == Drag::none && hovered && !moves_divider && !moves_object) begin_drag(state);
   if (drag_ != Drag::none) {
     continue_drag(state);

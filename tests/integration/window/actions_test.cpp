@@ -75,7 +75,7 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"paths.all", {"film.paths=ES*L"}},
     {"surface.pin", {"view.panel.surface", "image"}},
     {"surface.unpin", {"view.panel.surface", "image", "surface.pin"}},
-    {"view.unpin-pixel", {"view.pin-pixel", "image"}},
+    {"view.unpin-pixel", {"image", "view.pin-pixel", "image"}},
     {"trace.export", {"image", "trace.pick", "image"}},
     {"lab.export", {"view.panel.lab"}},
     {"messages.copy", {"compare.pin"}},
