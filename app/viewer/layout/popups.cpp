@@ -83,8 +83,8 @@ float effect_width(const ShortcutRows& rows) {
   return width;
 }
 
-// Draws a column with its upper left corner at the cursor, and returns its size.
-ImVec2 draw_shortcuts(const ShortcutRows& rows) {
+// Draws a column with its upper left corner at the cursor, and returns its width.
+float draw_shortcuts(const ShortcutRows& rows) {
   const ImVec2 corner = ImGui::GetCursorPos();
   const float height = std::floor(ImGui::GetFontSize() * 1.35f);
   const float inputs = effect_width(rows) + ImGui::GetFontSize();
@@ -97,7 +97,7 @@ ImVec2 draw_shortcuts(const ShortcutRows& rows) {
     width = std::max(width, inputs + text_width(row.input));
     y += height;
   }
-  return {width, y - corner.y};
+  return width;
 }
 
 // A bar that moves back and forth, because the duration is unknown.
@@ -136,7 +136,7 @@ void draw_help(AppState& state) {
   ImVec2 corner = ImGui::GetCursorPos();
   for (const ShortcutRows& rows : help_columns(state)) {
     ImGui::SetCursorPos(corner);
-    corner.x += draw_shortcuts(rows).x + 2 * em;
+    corner.x += draw_shortcuts(rows) + 2 * em;
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -1,7 +1,8 @@
 // Handles in the viewport that move, rotate and scale the selected object.
 //
-// The handles are at the centre of the bounds of the object's mesh, and the object rotates and scales about that point. All movements are computed from the transform at the start of the drag, so rounding errors do not accumulate. A drag
-// is one step of undo.
+// The handles are at the centre of the bounds of the object's mesh, and the object rotates and scales about that point.
+// All movements are computed from the transform at the start of the drag, so rounding errors do not accumulate. A drag is
+// one step of undo.
 #pragma once
 #include <array>
 #include <memory>
