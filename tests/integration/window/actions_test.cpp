@@ -76,7 +76,7 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"surface.pin", {"view.panel.surface", "image"}},
     {"surface.unpin", {"view.panel.surface", "image", "surface.pin"}},
     {"view.unpin-pixel", {"image", "view.pin-pixel", "image"}},
-    {"trace.export", {"image", "trace.pick", "image"}},
+    {"trace.export", {"integrator.path", "image", "trace.pick", "image"}},
     {"lab.export", {"view.panel.lab"}},
     {"messages.copy", {"compare.pin"}},
     {"messages.clear", {"compare.pin"}},
