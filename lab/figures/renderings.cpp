@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "figures/tools.h"
+#include "film/film_image.h"
+#include "render/session.h"
 #include "scene/builtin/shapes.h"
 
 namespace etendue::figures {
@@ -98,20 +100,73 @@ Figure figure_2_65() {
           }};
 }
 
+namespace {
+
+constexpr const char* kHeuristics[] = {"constant", "balance", "cutoff", "power", "maximum", "partition"};
+
+render::Document plates_with(const char* heuristic) {
+  const std::string setting = std::string("path.heuristic=") + heuristic;
+  return document_of("glossy-plates", {"integrator=path", "path.max-depth=2", setting.c_str()});
+}
+
+// Root mean square error over pixels and channels.
+double rms_error(const film::Film& film, const film::Film& reference) {
+  const std::vector<float> a = film::radiance_of(film), b = film::radiance_of(reference);
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const auto difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+// Errors of direct light on the plates, against a rendering of another seed.
+Part errors_of_heuristics(const MakeContext& context) {
+  const auto film_of = [&](const char* heuristic, uint64_t seed, uint32_t samples) {
+    render::Document document = plates_with(heuristic);
+    document.width = document.height = std::max(16, context.width / 2);
+    document.seed = seed;
+    return render::rendered(document, samples, context.threads);
+  };
+  const auto reference_samples = static_cast<uint32_t>(std::max(16.0, std::ceil(4096 * context.effort)));
+  const film::Film reference = film_of("power", context.seed + 1, reference_samples);
+  FunctionChart chart{.title = "Error of direct light",
+                      .x_label = "samples per pixel",
+                      .y_label = "RMSE",
+                      .curves = {},
+                      .logarithmic_x = true,
+                      .logarithmic_y = true};
+  for (const char* heuristic : kHeuristics) {
+    FunctionCurve curve{.name = heuristic, .points = {}};
+    for (uint32_t samples = 2; samples <= 64; samples *= 2)
+      curve.points.push_back(
+          {static_cast<double>(samples), rms_error(film_of(heuristic, context.seed, samples), reference)});
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart_part(chart);
+}
+
+}  // namespace
+
 Figure figure_6_37() {
   return {.title = "The glossy highlights problem",
           .note =
               "BSDF sampling fails on rough surfaces and small lights, light sampling on smooth surfaces and large "
-              "lights. Multiple importance sampling handles both.",
+              "lights. Below, six heuristics of multiple importance sampling at the same number of samples, and their "
+              "errors. The partition is light sampling, except where only BSDF samples find light.",
+          .columns = 3,
           .make = [](const MakeContext& context) -> Result<Parts> {
-            return Parts{by_method("BSDF sampling", "glossy-plates", {"integrator=path-pure", "path-pure.max-depth=2"},
-                                   context, 4, true),
-                         rendering_part("Light sampling",
-                                        document_of("glossy-plates", {"integrator=bdpt", "bdpt.max-depth=2",
-                                                                      "bdpt.only=0,2 1,2", "bdpt.weighted=false"}),
-                                        context, {.samples = 4, .exact_samples = true}),
-                         by_method("Multiple importance sampling", "glossy-plates",
-                                   {"integrator=path", "path.max-depth=2"}, context, 4, true)};
+            Parts parts{by_method("BSDF sampling", "glossy-plates", {"integrator=path-pure", "path-pure.max-depth=2"},
+                                  context, 4, true),
+                        rendering_part("Light sampling",
+                                       document_of("glossy-plates", {"integrator=bdpt", "bdpt.max-depth=2",
+                                                                     "bdpt.only=0,2 1,2", "bdpt.weighted=false"}),
+                                       context, {.samples = 4, .exact_samples = true}),
+                        errors_of_heuristics(context)};
+            for (const char* heuristic : kHeuristics)
+              parts.push_back(rendering_part(std::string("MIS, ") + heuristic, plates_with(heuristic), context,
+                                             {.samples = 4, .exact_samples = true}));
+            return parts;
           }};
 }
 

@@ -113,7 +113,7 @@ class GuidedSampling {
     if (sampling.strategy != LightStrategy::every) return add_light_samples(paths_.sample_lights(sampling));
     for (size_t source = 0; source < lights.source_count(sampling); ++source) {
       paths_.reserve_connections();
-      add_light_samples(paths_.sample_source(source, sampling));
+      add_light_samples(paths_.sample_source(source, sampling, source));
     }
     paths_.select_rng_stream(0);
   }
@@ -133,7 +133,7 @@ class GuidedSampling {
       path.throughput *= s.weight;
       path.eta_scale *= sqr(s.eta) * densities.gain();
       const float survival = expected_survival(i, s, densities);
-      if (roulette && !survives(i, survival)) continue;
+      if (roulette && !survives(i, s, survival, roulette_start)) continue;
       record_scattering(path, paths_.point(i).position, s);
       if (!s.delta && paths_.length() <= kGuidedVertices) record(i, s, densities);
       paths_.continue_path(i, s.wi);
@@ -164,10 +164,10 @@ class GuidedSampling {
   }
 
   // Russian roulette, by the throughput where the light is not known.
-  bool survives(int hit, float survival) {
+  bool survives(int hit, const LobeSample<Color>& s, float survival, int roulette_start) {
     auto& path = paths_.state_at(hit);
     const float random = paths_.random(vertex_dimension::kRoulette, hit);
-    if (survival == 0) return transport::survives_roulette(paths_, hit, path, random);
+    if (survival == 0) return transport::survives_roulette(paths_, roulette_start, hit, path, s, random);
     path.throughput /= survival;
     return random < survival;
   }

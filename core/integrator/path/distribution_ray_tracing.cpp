@@ -15,13 +15,14 @@
 //                 Caustics of small lights are noisy as in path tracing. Point lights behind glass are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "integrator/shared/direct_light_parameters.h"
 #include "transport/wavefront/branching_paths.h"
 #include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
-class DistributionRayTracing final : public CameraPathIntegrator<DistributionRayTracing> {
+class DistributionRayTracing final : public CameraPathIntegrator<DistributionRayTracing>, public DirectLightParameters {
  public:
   static constexpr bool kScatteringMedia = true;
 
@@ -55,9 +56,6 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
       "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Samples lights directly. Off: only emitters that a ray hits count"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
-  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How light sampling and BSDF sampling are weighted"};
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
                              4,
@@ -65,7 +63,8 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
-    return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, roulette_start);
+    return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, cutoff, power,
+                    roulette_start);
   }
 
   std::string incompatibility(const RenderContext& context) const override {
@@ -75,7 +74,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     if (shadow_rays)
-      estimate_with(paths, transport::Combination(heuristic));
+      estimate_with(paths, transport::Combination(direct_light_mis()));
     else
       estimate_with(paths, transport::Combination());
   }
@@ -92,7 +91,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination) const {
     using namespace transport;
     auto& tree = BranchingPaths<M>::on(paths);
-    const auto sampling = LightSampling::compensated(lights);
+    const auto sampling = light_sampling();
     MediumLight<M> media(paths, combination);
     while (tree.trace()) {
       const int branches = branches_at(paths.length());

@@ -114,7 +114,7 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
   LayeredPathTracing(bool samples_lights, PathLayerRecording& recording)
       : samples_lights_(samples_lights), recording_(recording) {}
 
-  auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start, equiangular); }
+  auto parameters() { return std::tuple_cat(std::tie(max_depth), path_parameters()); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState*) const override {
     return std::make_unique<Blocks>(*this, context);
@@ -173,11 +173,11 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
   template <class M>
   void estimate(PathWavefront<M>& paths, LayerCollector<M>& collector) const {
     using namespace transport;
-    const auto sampling = LightSampling::compensated(lights);
-    const Combination combination = samples_lights_ ? Combination(heuristic) : Combination();
+    const auto sampling = light_sampling();
+    const Combination combination = samples_lights_ ? Combination(mis()) : Combination();
     // The direction of a light sample in an emitting medium is not known here, so with classes only paths find them.
     MediumLight<M> media(paths, recording_.has_classes() ? Combination() : combination);
-    EquiangularLight<M> segments(paths, sampling, heuristic);
+    EquiangularLight<M> segments(paths, sampling, mis());
     const bool on_segments = samples_lights_ && equiangular;
     while (paths.trace()) {
       add_environment(paths, combination, sampling);
@@ -207,7 +207,7 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
           media.add_light_samples();
           for (int i = 0; i < paths.hit_count(); ++i) collector.collect_connection(i, paths.wo(i));
         }
-        sample_bsdf(paths, roulette_start, TransportMode::radiance, collector.accept());
+        sample_bsdf(paths, roulette(), TransportMode::radiance, collector.accept());
       }
     }
   }
@@ -218,15 +218,19 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
     const LightTable& table = paths.scene().lights();
     if (table.empty(sampling)) return;
     const auto add = [&](std::span<const LightSample> samples) {
-      transport::add_light_samples(paths, samples, heuristic, transport::Shadows::cast, 1,
+      transport::add_light_samples(paths, samples, mis(), transport::Shadows::cast, 1,
                                    [&](int hit, const LightSample& light) {
                                      return segments ? segments->weight_of_light_sample(hit, light) : 1.0f;
                                    });
       resolve_connections(paths);
       for (int i = 0; i < paths.hit_count(); ++i) collector.collect_connection(i, samples[static_cast<size_t>(i)].wi);
     };
-    if (sampling.strategy != LightStrategy::every) return add(paths.sample_lights(sampling));
-    for (size_t source = 0; source < table.source_count(sampling); ++source) add(paths.sample_source(source, sampling));
+    const bool every = sampling.strategy == LightStrategy::every;
+    const size_t sources = every ? table.source_count(sampling) : 1;
+    for (size_t stream = 0; stream < sources * static_cast<size_t>(light_samples.value); ++stream) {
+      paths.select_light_stream(stream);
+      add(every ? paths.sample_source(stream % sources, sampling, stream) : paths.sample_lights(sampling));
+    }
     paths.select_rng_stream(0);
   }
 

@@ -1,15 +1,18 @@
 // Path tracing with next event estimation                                [Lang, sec. 9.1.2, eq. 9.26-9.29; Kajiya 1986]
 //
 // Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
-// sampling a light and by sampling the BSDF:
+// sampling n lights
+// (`light-samples`) and by sampling the BSDF:
 //
-//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b )
+//    L  ~  sum over i  beta_i ( 1/n sum w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b )
 //    beta_i = product of f_s |cos| / p_b over the vertices before x_i
 //
-// w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995].
+// w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995]. With the heuristic
+// `partition`, w_l = 1: emitters that BSDF samples hit do not count, except where light sampling cannot find them
+// [Lang, Remark 9.6].
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L
-//   Bias          none; Russian roulette on the throughput, survival probability at most 0.95
+//   Bias          none; by default Russian roulette on the throughput, survival probability at most 0.95
 //   Cost          two rays per vertex, no memory beyond the path
 //   Limitations   Caustics of small lights are noisy: EDS+L is found only if a path happens to hit the light.
 //                 Point lights behind glass are never found.
@@ -48,26 +51,27 @@ class PathTracing final : public CameraPathIntegrator<PathTracing>, public PathT
     };
   }
 
-  auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start, equiangular); }
+  auto parameters() { return std::tuple_cat(std::tie(max_depth), path_parameters()); }
 
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
     if constexpr (M::kScattering)
       if (equiangular) return estimate_with_equiangular_light(paths);
-    const auto sampling = LightSampling::compensated(lights);
-    MediumLight<M> media(paths, Combination(heuristic));
+    const auto sampling = light_sampling();
+    const Combination combination = mis();
+    MediumLight<M> media(paths, combination);
     while (paths.trace()) {
-      add_environment(paths, heuristic, sampling);
+      add_environment(paths, combination, sampling);
       media.add_emission_of_misses();
       while (paths.next_hits()) {
         media.add_emission_before_hits();
-        add_emission(paths, heuristic, sampling);
+        add_emission(paths, combination, sampling);
         if (at_max_depth(paths.length())) continue;
         scatter_below_surface(paths);
-        add_direct_light(paths, sampling, heuristic);
+        add_direct_light(paths, sampling, combination);
         media.add_light_samples();
-        sample_bsdf(paths, roulette_start);
+        sample_bsdf(paths, roulette());
       }
     }
   }
@@ -76,24 +80,25 @@ class PathTracing final : public CameraPathIntegrator<PathTracing>, public PathT
   template <class M>
   void estimate_with_equiangular_light(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const auto sampling = LightSampling::compensated(lights);
-    EquiangularLight<M> segments(paths, sampling, heuristic);
-    MediumLight<M> media(paths, Combination(heuristic));
+    const auto sampling = light_sampling();
+    const Combination combination = mis();
+    EquiangularLight<M> segments(paths, sampling, *combination);
+    MediumLight<M> media(paths, combination);
     while (paths.trace()) {
-      add_environment(paths, heuristic, sampling);
+      add_environment(paths, combination, sampling);
       media.add_emission_of_misses();
       if (!at_max_depth(paths.length())) segments.add_light_of_misses();
       while (paths.next_hits()) {
         media.add_emission_before_hits();
-        add_emission(paths, heuristic, sampling);
+        add_emission(paths, combination, sampling);
         if (at_max_depth(paths.length())) continue;
         segments.add_light_before_hits();
         scatter_below_surface(paths);
-        add_direct_light(paths, sampling, heuristic, Shadows::cast, 1, [&](int hit, const LightSample& light) {
+        add_direct_light(paths, sampling, combination, Shadows::cast, 1, [&](int hit, const LightSample& light) {
           return segments.weight_of_light_sample(hit, light);
         });
         media.add_light_samples();
-        sample_bsdf(paths, roulette_start);
+        sample_bsdf(paths, roulette());
       }
     }
   }

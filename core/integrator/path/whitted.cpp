@@ -59,7 +59,7 @@ class Whitted final : public CameraPathIntegrator<Whitted> {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const auto above_cutoff = [&](const PathState<typename M::Color>& path, int) {
+    const auto above_cutoff = [&](const PathState<typename M::Color>& path, int, const auto&, float) {
       return max_component(path.throughput) * path.eta_scale >= threshold;
     };
     auto& branches = BranchingPaths<M>::on(paths);

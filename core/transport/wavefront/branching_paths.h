@@ -38,13 +38,15 @@ class BranchingPaths {
   // Continues every path in `count` directions with equal shares. If there are several, they are sampled from the
   // non-specular lobes; in addition, one branch follows each specular direction with its full weight [Lang, Remark
   // 8.5].
-  void branch(int count, int roulette_start) {
-    if (count == 1) return sample_bsdf(*paths_, roulette_start);
-    const bool roulette = paths_->length() >= roulette_start;
-    const DimensionSet numbers = roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0;
-    const auto survives = [&](PathState<Color>& path, int hit) {
-      const float random = roulette ? paths_->random(vertex_dimension::kRoulette, hit) : 0;
-      return !roulette || survives_roulette(*paths_, hit, path, random);
+  void branch(int count, const RouletteSettings& roulette) {
+    if (count == 1) return sample_bsdf(*paths_, roulette);
+    const bool may_end = paths_->length() >= roulette.start;
+    const DimensionSet numbers = may_end ? dimensions(vertex_dimension::kRoulette, 1) : 0;
+    const auto survives = [&](PathState<Color>& path, int hit, const LobeSample<Color>& s, float share) {
+      if (!may_end) return true;
+      LobeSample<Color> whole = s;  // without the share of the branch
+      whole.weight *= share;
+      return survives_roulette(*paths_, roulette, hit, path, whole, paths_->random(vertex_dimension::kRoulette, hit));
     };
     for (int stream = 0; stream < count; ++stream) {
       paths_->select_rng_stream(static_cast<uint32_t>(stream));
@@ -64,8 +66,8 @@ class BranchingPaths {
     follow_deltas(static_cast<uint32_t>(count), numbers, survives);
   }
 
-  // Continues every path along each specular direction for which should_follow(path, hit) holds, which may use the
-  // random numbers `numbers`. The branches use random number streams from `first_stream` on.
+  // Continues every path along each specular direction for which should_follow(path, hit, sample, 1) holds, which may
+  // use the random numbers `numbers`. The branches use random number streams from `first_stream` on.
   template <class Condition>
   void follow_deltas(uint32_t first_stream, DimensionSet numbers, Condition&& should_follow) {
     if constexpr (M::kDiffuse) return;
@@ -123,7 +125,7 @@ class BranchingPaths {
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta) * share;
     if (paths_->recorder()) record_sample(*paths_, hit, s, PathEnd::none);
-    if (!should_follow(path, hit)) {
+    if (!should_follow(path, hit, s, share)) {
       if (paths_->recorder()) record_end(*paths_, hit, PathEnd::roulette);
       return;
     }

@@ -17,8 +17,12 @@ namespace etendue::transport {
 template <class M>
 class EquiangularLight {
  public:
-  EquiangularLight(PathWavefront<M>& paths, LightSampling sampling, MisHeuristic heuristic)
-      : paths_(paths), lights_(paths.scene().lights()), sampling_(sampling), heuristic_(heuristic) {}
+  EquiangularLight(PathWavefront<M>& paths, LightSampling sampling, const DirectLightMis& mis)
+      : paths_(paths),
+        lights_(paths.scene().lights()),
+        sampling_(sampling),
+        mis_(mis.with_one_light_sample()),
+        collision_samples_(static_cast<float>(mis.light_samples)) {}
 
   // One point on each segment that ends at a current hit.
   void add_light_before_hits() {
@@ -50,8 +54,8 @@ class EquiangularLight {
     if (!source) return 1;
     const DistanceInterval lit = segment.lit_part(part, *source);
     if (lit.empty()) return 1;
-    return mis_weight(heuristic_, flight_density(path, part, distance) * light.pdf,
-                      segment.distances(lit, *source).pdf(distance) * source->probability);
+    return mis_.bsdf_weight(collision_samples_ * flight_density(path, part, distance) * light.pdf,
+                            segment.distances(lit, *source).pdf(distance) * source->probability);
   }
 
  private:
@@ -95,8 +99,9 @@ class EquiangularLight {
     const Vec3 point = segment.origin + segment.direction * distance;
     const LightSample light = lights_.sample_placed(choice->light, point, state.time);
     if (light.pdf == 0) return;
-    const float other_pdf = flight_density(path, part, distance) * lights_.probability(choice->light, point, sampling_);
-    const float weight = mis_weight_over_pdf(heuristic_, pdf * choice->probability, other_pdf);
+    const float other_pdf = collision_samples_ * flight_density(path, part, distance) *
+                            lights_.probability(choice->light, point, sampling_);
+    const float weight = mis_.light_weight_over_pdf(pdf * choice->probability, other_pdf);
     const float phase = part.medium->phase->eval(-segment.direction, light.wi);
     const auto& medium = paths_.media().coefficients(path, *part.medium);
     const Color throughput = paths_.media().unattenuated(path) * part.transmittance *
@@ -127,7 +132,8 @@ class EquiangularLight {
   PathWavefront<M>& paths_;
   const LightTable& lights_;
   LightSampling sampling_;
-  MisHeuristic heuristic_;
+  DirectLightMis mis_;       // of the sample on the segment, in place of a light sample, and the one at a collision
+  float collision_samples_;  // light samples at a collision
 };
 
 }  // namespace etendue::transport

@@ -32,7 +32,7 @@ class MediumLight {
   // Without a heuristic, paths find all light themselves, and there are no light samples.
   MediumLight(PathWavefront<M>& paths, Combination combination, const Techniques& techniques = {})
       : paths_(paths),
-        combination_(combination),
+        combination_(combination ? Combination(combination->with_one_light_sample()) : Combination()),
         techniques_(techniques),
         emits_(paths.scene().solids().any_medium_emits()),
         heterogeneous_(paths.scene().solids().any_heterogeneous()) {}
@@ -76,7 +76,7 @@ class MediumLight {
     const PathState<Color>& state = paths_.state(path);
     const TechniqueWeight technique = techniques_.emission(path);
     if (!combination_ || state.pdf == 0 || !technique.other_exists) return technique.factor;
-    return technique.factor * mis_weight(*combination_, state.pdf, emitters().pdf(state.from, direction));
+    return technique.factor * combination_->bsdf_weight(state.pdf, emitters().pdf(state.from, direction));
   }
 
   void add_emission(int path, const Vec3& direction) {
@@ -112,7 +112,7 @@ class MediumLight {
     const Color radiance = paths_.radiance_of_media(hit, light.direction);
     if (is_black(radiance)) return;
     const float other_pdf = technique.other_exists ? branches * scattered.pdf : 0;
-    const float weight = technique.factor * mis_weight_over_pdf(*combination_, light.pdf, other_pdf) / probability;
+    const float weight = technique.factor * combination_->light_weight_over_pdf(light.pdf, other_pdf) / probability;
     const Color contribution = path.throughput * scattered.f_cos * radiance * weight;
     path.radiance += contribution;
     if (paths_.recorder()) [[unlikely]]

@@ -7,13 +7,14 @@
 #pragma once
 #include <optional>
 
-#include "transport/mis/mis.h"
+#include "transport/mis/direct_light_mis.h"
 #include "transport/wavefront/path_wavefront.h"
+#include "transport/wavefront/roulette.h"
 
 namespace etendue::transport {
 
-// The heuristic that combines two techniques; empty: one technique alone.
-using Combination = std::optional<MisHeuristic>;
+// How light sampling and BSDF sampling are combined; empty: one technique alone.
+using Combination = std::optional<DirectLightMis>;
 
 // Records of a wavefront, which need a recorder. They are kept out of the loops, whose speed depends on
 // their size, and take values, because references would keep the loops from using registers.
@@ -60,14 +61,6 @@ template <class M>
   paths.recorder()->play_roulette(path, {survival, random});
 }
 
-// Bounds of the survival probability of Russian roulette: below one, so that paths end in scenes without absorption.
-// With a throughput factor r and a survival probability q per vertex, the variance is finite only if r^2 < q. Paths
-// whose throughput has grown above one therefore survive with a higher probability.
-inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalAboveOne = 0.995f;
-// In scattering media with an end: a path through milk has hundreds of vertices at which it loses 0.2 %. With the
-// bounds above, r^2 > q, and the few longest paths would carry most of the light.
-inline constexpr float kMaxSurvivalInMedia = 0.9995f;
-
 // The MIS weight of emission that BSDF sampling has hit.
 template <class Color>
 float emission_weight(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
@@ -75,8 +68,8 @@ float emission_weight(const PathState<Color>& path, const scene::CompiledScene& 
   if (!combination || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return mis_weight(*combination, path.pdf,
-                    scene.lights().pdf_triangle(light, path.from, point.position, path.time, sampling));
+  return combination->bsdf_weight(path.pdf,
+                                  scene.lights().pdf_triangle(light, path.from, point.position, path.time, sampling));
 }
 
 // The throughput of a path that ends at an emitter or the lens, restricted to the selected path classes.
@@ -141,8 +134,8 @@ void add_environment_of_miss(PathWavefront<M>& paths, int miss, const Rgb& radia
   const int number = paths.path_of_miss(miss);
   const EnvironmentMap& map = paths.scene().lights().environment();
   const EmissionSpectrum* spectrum = paths.length() == 1 ? map.seen_spectrum() : map.spectrum();
-  const auto contribution = terminal_throughput(paths, path.throughput, number) *
-                            paths.color().emission(number, radiance, spectrum) * weight;
+  const auto contribution =
+      terminal_throughput(paths, path.throughput, number) * paths.color().emission(number, radiance, spectrum) * weight;
   path.radiance += contribution;
   if (paths.recorder()) [[unlikely]]
     record_emission(paths, number, radiance, weight, contribution);
@@ -167,7 +160,7 @@ void add_environment(PathWavefront<M>& paths, Combination combination = {},
       continue;
     }
     const auto value = lights.environment_value(path.from, paths.miss_direction(i), sampling);
-    add_environment_of_miss(paths, i, value.radiance, mis_weight(*combination, path.pdf, value.pdf_solid_angle));
+    add_environment_of_miss(paths, i, value.radiance, combination->bsdf_weight(path.pdf, value.pdf_solid_angle));
   }
 }
 
@@ -221,19 +214,23 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
   }
 }
 
+// The number of light samples per vertex.
+inline int light_samples_of(const Combination& combination) { return combination ? combination->light_samples : 1; }
+
 // The weights of samples of delta lights, which are found by no other technique.
 struct OnlyTechnique {
   constexpr float operator()(int, const LightSample&) const { return 1; }
 };
 
-// `branches` is the number of BSDF samples of the vertex, each of which can find the same light. delta_weight(hit,
+// Adds one of the light samples of every vertex. `branches` is the number of BSDF samples of the vertex, each of which can find the same light. delta_weight(hit,
 // sample) is the MIS weight of a sample of a delta light.
 template <class M, class DeltaWeight = OnlyTechnique>
 void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination combination,
                        Shadows shadows, float branches, const DeltaWeight& delta_weight = {}) {
+  const auto samples_per_vertex = static_cast<float>(light_samples_of(combination));
   add_light_samples_weighted(paths, samples, shadows, [&](int i, const LightSample& light, const auto& scattered) {
-    return combination && !light.delta ? mis_weight_over_pdf(*combination, light.pdf, branches * scattered.pdf)
-                                       : delta_weight(i, light) / light.pdf;
+    return combination && !light.delta ? combination->light_weight_over_pdf(light.pdf, branches * scattered.pdf)
+                                       : delta_weight(i, light) / (samples_per_vertex * light.pdf);
   });
 }
 
@@ -244,14 +241,30 @@ void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&&
   add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
 }
 
-// The same with one sample on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
+// Samples on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
 template <class M, class DeltaWeight = OnlyTechnique>
 void add_light_of_all_sources(PathWavefront<M>& paths, LightSampling sampling, Combination combination,
                               Shadows shadows = Shadows::cast, float branches = 1,
                               const DeltaWeight& delta_weight = {}) {
-  for (size_t source = 0; source < paths.scene().lights().source_count(sampling); ++source) {
+  const size_t sources = paths.scene().lights().source_count(sampling);
+  const size_t count = sources * static_cast<size_t>(light_samples_of(combination));
+  for (size_t stream = 0; stream < count; ++stream) {
     paths.reserve_connections();
-    add_light_samples(paths, paths.sample_source(source, sampling), combination, shadows, branches, delta_weight);
+    add_light_samples(paths, paths.sample_source(stream % sources, sampling, stream), combination, shadows, branches,
+                      delta_weight);
+  }
+  paths.select_rng_stream(0);
+}
+
+// Several samples of the strategy per vertex, each with random numbers of its own.
+template <class M, class DeltaWeight>
+[[gnu::noinline]] void add_repeated_light_samples(PathWavefront<M>& paths, LightSampling sampling,
+                                                  Combination combination, Shadows shadows, float branches,
+                                                  const DeltaWeight& delta_weight) {
+  for (int k = 0; k < light_samples_of(combination); ++k) {
+    paths.reserve_connections();
+    paths.select_light_stream(static_cast<size_t>(k));
+    add_light_samples(paths, paths.sample_lights(sampling), combination, shadows, branches, delta_weight);
   }
   paths.select_rng_stream(0);
 }
@@ -262,18 +275,12 @@ void add_direct_light(PathWavefront<M>& paths, LightSampling sampling, Combinati
   if (paths.scene().lights().empty(sampling)) return;
   if (sampling.strategy == LightStrategy::every)
     add_light_of_all_sources(paths, sampling, combination, shadows, branches, delta_weight);
+  else if (light_samples_of(combination) > 1)
+    add_repeated_light_samples(paths, sampling, combination, shadows, branches, delta_weight);
   else
     add_light_samples(paths, paths.sample_lights(sampling), combination, shadows, branches, delta_weight);
 }
 
-// Russian roulette: a path survives with the probability of its throughput's largest component (corrected for the
-// change of radiance by refraction), and its throughput is divided by that probability. [Lang, eq. 9.10]
-template <class Color>
-float survival_probability(const PathState<Color>& path, bool in_medium) {
-  const float weight = max_component(path.throughput) * path.eta_scale;
-  if (in_medium) return std::min(weight, kMaxSurvivalInMedia);
-  return std::min(weight, weight > 1 ? kMaxSurvivalAboveOne : kMaxSurvival);
-}
 // Whether a current hit lies in a scattering medium that paths can leave.
 template <class M>
 bool is_in_bounded_medium(const PathWavefront<M>& paths, int hit) {
@@ -282,10 +289,11 @@ bool is_in_bounded_medium(const PathWavefront<M>& paths, int hit) {
   else
     return false;
 }
-// The path continues from a current hit; the result is recorded under the number of the hit's path.
+// The path continues from a current hit by `s`; the result is recorded under the number of the hit's path.
 template <class M>
-bool survives_roulette(PathWavefront<M>& paths, int hit, PathState<typename M::Color>& path, float random) {
-  const float survival = survival_probability(path, is_in_bounded_medium(paths, hit));
+bool survives_roulette(PathWavefront<M>& paths, const RouletteSettings& roulette, int hit,
+                       PathState<typename M::Color>& path, const LobeSample<typename M::Color>& s, float random) {
+  const float survival = survival_probability(roulette, path, s, is_in_bounded_medium(paths, hit));
   if (paths.recorder()) [[unlikely]]
     record_roulette(paths, paths.path_at(hit), survival, random);
   if (!(random < survival)) return false;
@@ -312,15 +320,15 @@ struct AcceptAll {
 };
 
 // Samples the next direction of every current path. Paths end if they are absorbed, rejected by `accept`, terminated by
-// Russian roulette from length `roulette_start` on, or if continues(hit) is false. Paths from lights use
+// Russian roulette, or if continues(hit) is false. Paths from lights use
 // TransportMode::importance: their power is not scaled by refraction as radiance is. record(hit, sample) is called for
 // every path that continues.
 template <class M, class Continues, class Record, class Accept = AcceptAll>
-void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMode mode, Continues&& continues,
-                       Record&& record, const Accept& accept = {}) {
-  const bool roulette = paths.length() >= roulette_start;
+void sample_bsdf_where(PathWavefront<M>& paths, const RouletteSettings& roulette, TransportMode mode,
+                       Continues&& continues, Record&& record, const Accept& accept = {}) {
+  const bool may_end = paths.length() >= roulette.start;
   paths.draw_lobes();
-  if (roulette) paths.draw(dimensions(vertex_dimension::kRoulette, 1));
+  if (may_end) paths.draw(dimensions(vertex_dimension::kRoulette, 1));
   const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!continues(i)) continue;
@@ -337,7 +345,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
-    if (roulette && !survives_roulette(paths, i, path, paths.random(vertex_dimension::kRoulette, i))) {
+    if (may_end && !survives_roulette(paths, roulette, i, path, s, paths.random(vertex_dimension::kRoulette, i))) {
       if (recording) [[unlikely]]
         record_end(paths, i, PathEnd::roulette);
       continue;
@@ -351,17 +359,17 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
 }
 
 template <class M, class Record, class Accept = AcceptAll>
-void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_start, TransportMode mode, Record&& record,
-                            const Accept& accept = {}) {
+void sample_bsdf_and_record(PathWavefront<M>& paths, const RouletteSettings& roulette, TransportMode mode,
+                            Record&& record, const Accept& accept = {}) {
   sample_bsdf_where(
-      paths, roulette_start, mode, [](int) { return true; }, record, accept);
+      paths, roulette, mode, [](int) { return true; }, record, accept);
 }
 
 template <class M, class Accept = AcceptAll>
-void sample_bsdf(PathWavefront<M>& paths, int roulette_start, TransportMode mode = TransportMode::radiance,
-                 const Accept& accept = {}) {
+void sample_bsdf(PathWavefront<M>& paths, const RouletteSettings& roulette,
+                 TransportMode mode = TransportMode::radiance, const Accept& accept = {}) {
   sample_bsdf_and_record(
-      paths, roulette_start, mode, [](int, const auto&) {}, accept);
+      paths, roulette, mode, [](int, const auto&) {}, accept);
 }
 
 }  // namespace etendue::transport

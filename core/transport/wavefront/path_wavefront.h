@@ -195,10 +195,14 @@ class PathWavefront {
     scene_->lights().sample(draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
-  // One sample of the given source of the light table per current hit; every source but the first has a random number
-  // stream of its own.
-  std::span<const LightSample> sample_source(size_t source, LightSampling sampling) {
-    select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
+  // Selects the random number stream of one of several light samples of the current vertices; the first has the stream
+  // of the path.
+  void select_light_stream(size_t index) {
+    select_rng_stream(index == 0 ? 0 : kMostBranches + static_cast<uint32_t>(index));
+  }
+  // One sample of the given source of the light table per current hit, with the random numbers of this light stream.
+  std::span<const LightSample> sample_source(size_t source, LightSampling sampling, size_t stream) {
+    select_light_stream(stream);
     scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }

@@ -73,7 +73,10 @@ struct Strategy {
 constexpr Strategy kStrategies[] = {{"path-pure", "power", [](double) { return 1.0; }},
                                     {"path", "balance", [](double a) { return a / (1 + a); }},
                                     {"path", "power", [](double a) { return a * a / (1 + a * a); }},
-                                    {"path", "maximum", [](double) { return 0.0; }}};
+                                    {"path", "maximum", [](double) { return 0.0; }},
+                                    {"path", "constant", [](double) { return 0.5; }},
+                                    {"path", "cutoff", [](double) { return 0.0; }},
+                                    {"path", "partition", [](double) { return 0.0; }}};
 
 // Variance of the pixel means, and its standard error.
 struct TileVariance {
@@ -130,6 +133,42 @@ TEST(IntegratingSphere, MeanAndVarianceOfPathTracing) {
       expect_moments(d, 8, theory(p.a, p.rho, strategy.weight(p.a), p.cap),
                      std::string(strategy.integrator) + ' ' + strategy.heuristic + " a " + std::to_string(p.a));
     }
+}
+
+// n light samples have the density of one times n.
+TEST(IntegratingSphere, SeveralLightSamples) {
+  constexpr double kShare = 0.3;
+  constexpr float kAlbedo = 0.5f;
+  for (const int n : {2, 4}) {
+    const double squares = kShare * kShare, w = squares / (squares + n * n);
+    const auto d =
+        with(with_integrator(test::integrating_sphere(kShare, kAlbedo), "path"), "light-samples", std::to_string(n));
+    for (const char* lights : {"one", "every"})
+      expect_moments(with(d, "lights", lights), 8, theory(kShare, kAlbedo, w, Cap::reflecting),
+                     std::to_string(n) + " light samples, " + lights);
+  }
+}
+
+// Russian roulette of survival probability q at every vertex, all direct light from light samples: the estimate is X =
+// rho a + rho / q X' with probability q, else rho a. Its second moment is finite if rho^2 < q [Lang, eq. 9.10].
+TEST(IntegratingSphere, RulesOfRussianRoulette) {
+  struct Rule {
+    const char *rule, *survival, *minimum;
+    double q;
+  };
+  constexpr double kShare = 0.1, kRho = 0.5;
+  auto d = with_integrator(test::integrating_sphere(kShare, static_cast<float>(kRho)), "path");
+  d = with(with(d, "heuristic", "partition"), "roulette-start", "1");
+  for (const Rule& rule :
+       {Rule{"constant", "0.8", "0", 0.8}, Rule{"constant", "0.5", "0", 0.5}, Rule{"albedo", "0.9", "0", 0.5},
+        Rule{"albedo", "0.9", "0.7", 0.7}, Rule{"throughput", "0.9", "0.7", 0.7}}) {
+    const double c = kRho * kShare, mean = c / (1 - kRho);
+    const double square = (c * c + 2 * c * kRho * mean) / (1 - kRho * kRho / rule.q);
+    const auto changed =
+        with(with(with(d, "survival-rule", rule.rule), "survival", rule.survival), "least-survival", rule.minimum);
+    expect_moments(changed, 16, {mean, square - mean * mean},
+                   std::string(rule.rule) + ", q = " + std::to_string(rule.q));
+  }
 }
 
 // Guided samples have other weights, so only the mean is known. The guides of the last samples have been learned in five
