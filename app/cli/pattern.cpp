@@ -9,6 +9,7 @@
 #include "image/image.h"
 #include "json.h"
 #include "metrics/drawing.h"
+#include "patterns/cube_discrepancy.h"
 #include "patterns/pattern_drawing.h"
 #include "patterns/pattern_report.h"
 #include "patterns/sampler_points.h"
@@ -27,7 +28,7 @@ struct PatternArguments {
 };
 
 // The sets of all repeats, with different seeds.
-Result<std::vector<patterns::PointSet>> sets_of(const PatternArguments& a) {
+Result<std::vector<patterns::CubePoints>> sets_of(const PatternArguments& a) {
   patterns::PointRequest request{.sampler = a.sampler, .count = static_cast<uint32_t>(a.points), .seed = a.seed};
   if (const SamplerInfo* info = find_sampler(a.sampler)) {
     const auto settings =
@@ -35,11 +36,11 @@ Result<std::vector<patterns::PointSet>> sets_of(const PatternArguments& a) {
     if (!settings) return settings.error();
     request.settings = *settings;
   }
-  if (!a.dimensions.empty())
-    request.dimensions = {static_cast<uint32_t>(a.dimensions[0]), static_cast<uint32_t>(a.dimensions[1])};
-  std::vector<patterns::PointSet> sets;
+  if (a.dimensions.size() == 1) return usage_error("--dimensions needs at least two dimensions, such as 0 1");
+  if (!a.dimensions.empty()) request.dimensions.assign(a.dimensions.begin(), a.dimensions.end());
+  std::vector<patterns::CubePoints> sets;
   for (int repeat = 0; repeat < a.repeats; ++repeat) {
-    auto set = patterns::points_of(request);
+    auto set = patterns::cube_points_of(request);
     if (!set) return set.error();
     sets.push_back(std::move(*set));
     ++request.seed;
@@ -47,22 +48,32 @@ Result<std::vector<patterns::PointSet>> sets_of(const PatternArguments& a) {
   return sets;
 }
 
-Result<void> write_points(const std::string& file, const patterns::PointSet& set) {
-  std::string text = "x,y\n";
-  for (const auto& p : set) {
-    char line[80];
-    std::snprintf(line, sizeof line, "%.9g,%.9g\n", p[0], p[1]);
-    text += line;
-  }
+std::vector<patterns::PointSet> planes_of(const std::vector<patterns::CubePoints>& sets) {
+  std::vector<patterns::PointSet> planes;
+  for (const auto& set : sets) planes.push_back(patterns::first_two_dimensions(set));
+  return planes;
+}
+
+// A column for each dimension: x, y, and x2, x3, ... for the others.
+Result<void> write_points(const std::string& file, const patterns::CubePoints& set) {
+  std::string text = "x,y";
+  for (size_t k = 2; k < set.front().size(); ++k) text += ",x" + std::to_string(k);
+  text += '\n';
+  for (const auto& p : set)
+    for (size_t k = 0; k < p.size(); ++k) {
+      char number[32];
+      std::snprintf(number, sizeof number, "%.9g%c", p[k], k + 1 < p.size() ? ',' : '\n');
+      text += number;
+    }
   return write_file(file, text.data(), text.size());
 }
 
-Result<void> write_pattern(const PatternArguments& a, const std::vector<patterns::PointSet>& sets) {
+Result<void> write_pattern(const PatternArguments& a, const std::vector<patterns::CubePoints>& sets) {
   const std::filesystem::path file = a.out;
   if (file.extension() == ".csv") return write_points(a.out, sets.front());
   patterns::PatternDrawingOptions options;
   if (!a.intervals.empty()) options.cells = {a.intervals[0], a.intervals[1]};
-  const metrics::Drawing drawing = patterns::pattern_drawing(sets, options);
+  const metrics::Drawing drawing = patterns::pattern_drawing(planes_of(sets), options);
   if (file.extension() == ".svg") {
     const std::string svg = metrics::to_svg(drawing);
     return write_file(file, svg.data(), svg.size());
@@ -75,7 +86,8 @@ Result<void> write_pattern(const PatternArguments& a, const std::vector<patterns
 int run_pattern(const PatternArguments& a) {
   const auto sets = sets_of(a);
   if (!sets) return fail(sets.error());
-  const auto report = patterns::report_of(*sets);
+  const bool is_plane = sets->front().front().size() == 2;
+  const auto report = is_plane ? patterns::report_of(planes_of(*sets)) : patterns::report_of(*sets);
   if (!a.out.empty())
     if (const auto written = write_pattern(a, *sets); !written) return fail(written.error());
   if (a.json) {
@@ -112,9 +124,8 @@ Command pattern_command() {
             .bounds = between(1, 65536)},
            {.names = "--dimensions",
             .target = &a->dimensions,
-            .doc = "X Y: dimensions of a path, from 0. Default 0 1",
-            .bounds = kNonNegative,
-            .count = 2},
+            .doc = "X Y...: two or more dimensions of a path, from 0. Default 0 1. Drawings show the first two",
+            .bounds = kNonNegative},
            {.names = "--intervals",
             .target = &a->intervals,
             .doc = "COLUMNS ROWS of a grid that is drawn, such as 4 16",

@@ -20,7 +20,8 @@
   ENTRY(random_walks)              \
   ENTRY(linear_walks)              \
   ENTRY(variance_reduction)        \
-  ENTRY(mis)
+  ENTRY(mis)                       \
+  ENTRY(sampler_rates)
 // clang-format on
 
 namespace etendue::experiments {

@@ -22,7 +22,8 @@ Text sampler_parameter(const char* doc) {
   return {"sampler", "Sampler", sampler_infos().front().name, doc, check_sampler_name, sampler_options()};
 }
 
-UniformPoints::UniformPoints(const std::string& sampler, uint32_t points) : sampler_(make_sampler(sampler)) {
+UniformPoints::UniformPoints(const std::string& sampler, uint32_t points, const std::vector<Setting>& settings)
+    : sampler_(make_sampler(sampler, settings)) {
   sampler_->prepare(0, points);
 }
 

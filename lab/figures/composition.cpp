@@ -61,13 +61,12 @@ void add(Composition& all, const Part& part, int x, int y) {
   }
 }
 
-// Adds one row of parts at height y and returns the height below it.
+// Adds one row of parts with their captions at height y and returns the height below it.
 int add_row(Composition& all, std::span<const Part> row, int y) {
-  int below = y;
-  for (const Part& part : row) below = std::max(below, y + size_of(part).height);
-  int x = kGap, end = below;
+  int x = kGap, end = y;
   for (const Part& part : row) {
     const Size size = size_of(part);
+    const int below = y + size.height;
     add(all, part, x, y);
     const Drawing caption = caption_drawing(part.caption, size.width, kCaptionSize);
     metrics::place(all.drawing, caption, {static_cast<double>(x), below + 4.0});

@@ -152,7 +152,7 @@ Figure figure_6_37() {
   return {.title = "The glossy highlights problem",
           .note =
               "BSDF sampling fails on rough surfaces and small lights, light sampling on smooth surfaces and large "
-              "lights. Below, six heuristics of multiple importance sampling at the same number of samples, and their "
+              "lights. Then six heuristics of multiple importance sampling at the same number of samples, and their "
               "errors. The partition is light sampling, except where only BSDF samples find light.",
           .columns = 3,
           .make = [](const MakeContext& context) -> Result<Parts> {
@@ -161,11 +161,11 @@ Figure figure_6_37() {
                         rendering_part("Light sampling",
                                        document_of("glossy-plates", {"integrator=bdpt", "bdpt.max-depth=2",
                                                                      "bdpt.only=0,2 1,2", "bdpt.weighted=false"}),
-                                       context, {.samples = 4, .exact_samples = true}),
-                        errors_of_heuristics(context)};
+                                       context, {.samples = 4, .exact_samples = true})};
             for (const char* heuristic : kHeuristics)
               parts.push_back(rendering_part(std::string("MIS, ") + heuristic, plates_with(heuristic), context,
                                              {.samples = 4, .exact_samples = true}));
+            parts.push_back(errors_of_heuristics(context));
             return parts;
           }};
 }

@@ -6,12 +6,22 @@
 namespace etendue::patterns {
 namespace {
 
-template <class Distance>
-double least_over_pairs(const PointSet& points, Distance&& distance) {
+template <class Set, class Distance>
+double least_over_pairs(const Set& points, Distance&& distance) {
   double least = INFINITY;
   for (size_t i = 0; i < points.size(); ++i)
     for (size_t j = 0; j < i; ++j) least = std::min(least, distance(points[i], points[j]));
   return least;
+}
+
+double along_circle(double a, double b) { return std::abs(a - b - std::round(a - b)); }
+
+// The Euclidean norm of the distances along the axes.
+template <class Along>
+double cube_distance(const std::vector<double>& p, const std::vector<double>& q, Along&& along) {
+  double squares = 0;
+  for (size_t k = 0; k < p.size(); ++k) squares += along(p[k], q[k]) * along(p[k], q[k]);
+  return std::sqrt(squares);
 }
 
 // The part of a convex polygon that is not nearer to `other` than to `point`.
@@ -40,11 +50,19 @@ double least_distance(const PointSet& points) {
 }
 
 double toroidal_distance(const PlanePoint& p, const PlanePoint& q) {
-  const auto along = [](double a, double b) { return std::abs(a - b - std::round(a - b)); };
-  return std::hypot(along(p[0], q[0]), along(p[1], q[1]));
+  return std::hypot(along_circle(p[0], q[0]), along_circle(p[1], q[1]));
 }
 
 double least_toroidal_distance(const PointSet& points) { return least_over_pairs(points, toroidal_distance); }
+
+double least_distance(const CubePoints& points) {
+  const auto along = [](double a, double b) { return std::abs(a - b); };
+  return least_over_pairs(points, [&](const auto& p, const auto& q) { return cube_distance(p, q, along); });
+}
+
+double least_toroidal_distance(const CubePoints& points) {
+  return least_over_pairs(points, [](const auto& p, const auto& q) { return cube_distance(p, q, along_circle); });
+}
 
 std::vector<PointSet> voronoi_cells(const PointSet& points) {
   std::vector<PointSet> cells;

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "patterns/cube_discrepancy.h"
 #include "patterns/point_set.h"
 
 namespace etendue::patterns {
@@ -21,5 +22,9 @@ inline constexpr size_t kMostPointsOfPairs = 16384;
 // integrals of x y and exp(x + y) with their bounds of Koksma and Hlawka, i.e. the variation times the star discrepancy
 // [Lang, eq. 7.27]. All sets have the same size; there is at least one.
 std::vector<QualityValue> report_of(const std::vector<PointSet>& sets);
+
+// Of sets in three or more dimensions: bounds of the star discrepancy, L2 star discrepancy, smallest distances, t in base 2
+// of sets of 2^m points, and the error of the integral of the product of all coordinates.
+std::vector<QualityValue> report_of(const std::vector<CubePoints>& sets);
 
 }  // namespace etendue::patterns

@@ -13,7 +13,7 @@ std::string sampler_names() {
 
 }  // namespace
 
-Result<PointSet> points_of(const PointRequest& request) {
+Result<CubePoints> cube_points_of(const PointRequest& request) {
   const auto sampler = make_sampler(request.sampler, request.settings);
   if (!sampler) return usage_error("there is no sampler '" + request.sampler + "'; give one of " + sampler_names());
   if (request.count < 1 || request.count > kMostPoints)
@@ -25,14 +25,26 @@ Result<PointSet> points_of(const PointRequest& request) {
                          std::to_string(kMostDimensions - 1));
   sampler->prepare(0, request.count);
   const auto pixel = static_cast<uint32_t>(mix_bits(request.seed + 1));
-  PointSet points(request.count);
+  CubePoints points(request.count);
   for (uint32_t i = 0; i < request.count; ++i)
-    for (size_t axis = 0; axis < 2; ++axis) {
+    for (const uint32_t dimension : request.dimensions) {
       SampleBlock block;
-      sampler->block(pixel, i, request.dimensions[axis] / kBlockSize, block);
-      points[i][axis] = static_cast<double>(block[request.dimensions[axis] % kBlockSize]);
+      sampler->block(pixel, i, dimension / kBlockSize, block);
+      points[i].push_back(static_cast<double>(block[dimension % kBlockSize]));
     }
   return points;
+}
+
+Result<PointSet> points_of(const PointRequest& request) {
+  const auto points = cube_points_of(request);
+  if (!points) return points.error();
+  return first_two_dimensions(*points);
+}
+
+PointSet first_two_dimensions(const CubePoints& points) {
+  PointSet plane;
+  for (const auto& p : points) plane.push_back({p[0], p[1]});
+  return plane;
 }
 
 }  // namespace etendue::patterns

@@ -1,8 +1,7 @@
 // Path tracing with next event estimation                                [Lang, sec. 9.1.2, eq. 9.26-9.29; Kajiya 1986]
 //
 // Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
-// sampling n lights
-// (`light-samples`) and by sampling the BSDF:
+// sampling n lights (`light-samples`) and by sampling the BSDF:
 //
 //    L  ~  sum over i  beta_i ( 1/n sum w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b )
 //    beta_i = product of f_s |cos| / p_b over the vertices before x_i

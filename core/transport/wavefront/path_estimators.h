@@ -222,8 +222,8 @@ struct OnlyTechnique {
   constexpr float operator()(int, const LightSample&) const { return 1; }
 };
 
-// Adds one of the light samples of every vertex. `branches` is the number of BSDF samples of the vertex, each of which can find the same light. delta_weight(hit,
-// sample) is the MIS weight of a sample of a delta light.
+// Adds one of the light samples of every vertex. `branches` is the number of BSDF samples of the vertex, each of which
+// can find the same light. delta_weight(hit, sample) is the MIS weight of a sample of a delta light.
 template <class M, class DeltaWeight = OnlyTechnique>
 void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination combination,
                        Shadows shadows, float branches, const DeltaWeight& delta_weight = {}) {

@@ -53,6 +53,7 @@ TEST_F(Cli, PatternReportsErrors) {
   expect_error("pattern magic", 2, "there is no sampler 'magic'");
   expect_error("pattern sobol --points 0", 2, "--points");
   expect_error("pattern sobol --dimensions 0 70000", 2, "there is no dimension 70000");
+  expect_error("pattern sobol --dimensions 3", 2, "at least two dimensions");
   expect_error("pattern halton --set size=3", 2, "has no parameter 'size'");
   expect_error("pattern sobol -o points.txt", 2, ".svg, .png or .csv");
 }

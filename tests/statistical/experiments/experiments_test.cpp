@@ -82,6 +82,15 @@ TEST(Quadrature, SlopesAreThoseOfTheory) {
   expect_checks(cube, "3");
 }
 
+// Forty slopes within 0.05 of theory.
+TEST(SamplerRates, SlopesAreThoseOfTheory) {
+  for (const char* integrand : {"sum", "product", "box", "half-plane", "disc"}) {
+    const auto result = run("sampler-rates", {{"integrand", integrand}});
+    EXPECT_EQ(result.checks.size(), 8u);
+    expect_checks(result, integrand);
+  }
+}
+
 TEST(Quadrature, UndefinedIntegrandIsAnError) {
   const Experiment* experiment = find_experiment("quadrature");
   const auto result = experiment->run({{"integrand", std::string("sinc")}}, {});

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "advisor/declared_paths.h"
+#include "base/hash.h"
 #include "integrator/integrator.h"
 #include "support/integrator_scenes.h"
 #include "support/media_scenes.h"
@@ -31,9 +32,19 @@ double effort(std::string_view form) {
     double samples;
   };
   for (const Effort& e : {Effort{"path-pure", 4}, Effort{"light-pure", 16}, Effort{"light", 4},
-                          Effort{"bdpt:reuse=false", 8}, Effort{"pssmlt:form=multiplexed", 32}, Effort{"mlt", 2}})
+                          Effort{"bdpt:reuse=false", 8}, Effort{"pssmlt:form=multiplexed", 32}, Effort{"pssmlt", 4},
+                          Effort{"mlt", 2}})
     if (form.starts_with(e.form)) return e.samples;
   return 1;
+}
+
+// Variants for study whose variance is large or infinite beside mirrors, glass and small lights: the weights of these
+// heuristics do not fall with the density of a technique, and a constant survival probability q makes the variance infinite
+// where paths keep more than the square root of q of their throughput. Twelve images are too few for a normal distribution
+// there. They are compared in the Cornell box, whose surfaces are diffuse, and have closed forms in IntegratingSphere.
+bool has_heavy_tails(std::string_view form) {
+  return form.ends_with(":heuristic=constant") || form.ends_with(":heuristic=partition") ||
+         form.ends_with(":survival-rule=constant");
 }
 
 struct Form {
@@ -81,17 +92,21 @@ std::vector<Form> complete_forms(const Document& place, const std::string& paths
   return found;
 }
 
-// `but`: variants that are excluded in this scene.
+// The first seed of a variant. It depends on the name only, so that a new variant changes no other one.
+uint64_t seed_of(std::string_view name) { return hash_bytes(name.data(), name.size()); }
+
+// `but`: variants that are excluded in this scene, besides those with heavy tails where surfaces are not diffuse.
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
-                        const std::vector<std::string>& but = {}) {
+                        const std::vector<std::string>& but = {}, bool all_diffuse = false) {
   struct Answer {
     std::string name;
     test::Estimate estimate;
   };
   std::vector<Answer> answers;
   for (const Form& form : complete_forms(place, paths, but)) {
+    if (!all_diffuse && has_heavy_tails(form.name)) continue;
     const auto own = static_cast<uint32_t>(samples * effort(form.name));
-    answers.push_back({form.name, test::replicated(form.document, own, 1000 * (answers.size() + 2))});
+    answers.push_back({form.name, test::replicated(form.document, own, seed_of(form.name))});
   }
   const auto n = static_cast<int>(answers.size());
   EXPECT_GE(n, 17);  // at least seven integrators
@@ -107,8 +122,8 @@ Document builtin(const char* name) {
   return d;
 }
 
-TEST(Pairwise, Cornell) { expect_pairs_agree(builtin("cornell"), "E(D|G)*L", 48); }
-TEST(Pairwise, DirectLightOfCornell) { expect_pairs_agree(builtin("cornell"), "E(D|G)L", 64); }
+TEST(Pairwise, Cornell) { expect_pairs_agree(builtin("cornell"), "E(D|G)*L", 48, {}, true); }
+TEST(Pairwise, DirectLightOfCornell) { expect_pairs_agree(builtin("cornell"), "E(D|G)L", 64, {}, true); }
 
 TEST(Pairwise, GlossyPlates) { expect_pairs_agree(builtin("glossy-plates"), "E(D|G)*L", 64); }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "equations/random_numbers.h"
+#include "patterns/cube_discrepancy.h"
 #include "patterns/discrepancy.h"
 #include "patterns/distances.h"
 #include "patterns/known_sets.h"
@@ -160,8 +161,8 @@ TEST(Distances, AreThoseOfKnownSets) {
   EXPECT_NEAR(least_distance(hammersley_points(16)), 0.176777, 1e-6);
   EXPECT_NEAR(least_distance(halton_points(64)), 0.0484735, 1e-7);
   EXPECT_NEAR(least_toroidal_distance(regular_grid_points(8, 0)), 0.125, 1e-12);
-  EXPECT_NEAR(least_toroidal_distance({{0.05, 0.5}, {0.95, 0.5}}), 0.1, 1e-12);
-  EXPECT_NEAR(least_distance({{0.05, 0.5}, {0.95, 0.5}}), 0.9, 1e-12);
+  EXPECT_NEAR(least_toroidal_distance(PointSet{{0.05, 0.5}, {0.95, 0.5}}), 0.1, 1e-12);
+  EXPECT_NEAR(least_distance(PointSet{{0.05, 0.5}, {0.95, 0.5}}), 0.9, 1e-12);
 }
 
 double area_of(const PointSet& polygon) {
@@ -236,6 +237,66 @@ TEST(PatternReport, ErrorsStayBelowTheBoundOfKoksmaAndHlawka) {
   }
   EXPECT_NEAR(value(report_of({halton_points(64)}), "error of exp(x + y)"), 0.091217, 1e-6);
   EXPECT_NEAR(value(report_of({halton_points(64)}), "error of exp(x + y), bound"), 0.640315, 1e-6);
+}
+
+CubePoints cube_of(const PointSet& set) {
+  CubePoints points;
+  for (const PlanePoint& p : set) points.push_back({p[0], p[1]});
+  return points;
+}
+
+// With all coordinates on the grid, both bounds are the star discrepancy; with fewer, they enclose it.
+TEST(CubeDiscrepancy, BoundsEncloseTheExactValueInThePlane) {
+  for (const PointSet& set : {halton_points(64), hammersley_points(64), regular_grid_points(8), zaremba_points(50)}) {
+    const double exact = star_discrepancy(set);
+    const Bounds all = star_discrepancy_bounds(cube_of(set));
+    EXPECT_NEAR(all.lower, exact, 1e-12);
+    EXPECT_NEAR(all.upper, exact, 1e-12);
+    for (const double corners : {4.0, 100.0, 900.0}) {
+      const Bounds some = star_discrepancy_bounds(cube_of(set), corners);
+      EXPECT_LE(some.lower, exact + 1e-12) << corners;
+      EXPECT_GE(some.upper, exact - 1e-12) << corners;
+    }
+    EXPECT_NEAR(l2_star_discrepancy(cube_of(set)), l2_star_discrepancy(set), 1e-12);
+    EXPECT_NEAR(least_distance(cube_of(set)), least_distance(set), 1e-12);
+    EXPECT_NEAR(least_toroidal_distance(cube_of(set)), least_toroidal_distance(set), 1e-12);
+  }
+}
+
+// One point (x, ..., x): a box that just leaves it out has the volume x, one that just contains it x^s.
+TEST(CubeDiscrepancy, OfOnePoint) {
+  for (const double x : {0.3, 0.5, 0.9})
+    for (const size_t s : {1U, 3U, 5U}) {
+      const CubePoints point{std::vector<double>(s, x)};
+      const double exact = std::max(x, 1 - std::pow(x, static_cast<double>(s)));
+      const Bounds bounds = star_discrepancy_bounds(point);
+      EXPECT_NEAR(bounds.lower, exact, 1e-12) << x << " " << s;
+      EXPECT_NEAR(bounds.upper, exact, 1e-12) << x << " " << s;
+      const double n = static_cast<double>(s);
+      const double square = std::pow(3.0, -n) - std::pow(2.0, 1 - n) * std::pow(1 - x * x, n) + std::pow(1 - x, n);
+      EXPECT_NEAR(l2_star_discrepancy(point), std::sqrt(square), 1e-12);
+    }
+}
+
+// Points on one axis, as a set of dimension 1: 1/(2N) + max |x_i - (2i - 1)/(2N)| [Niederreiter 1992].
+TEST(CubeDiscrepancy, OfMidpointsOnALine) {
+  CubePoints points;
+  for (int i = 0; i < 10; ++i) points.push_back({(i + 0.5) / 10});
+  EXPECT_NEAR(star_discrepancy_bounds(points).lower, 0.05, 1e-12);
+  EXPECT_NEAR(star_discrepancy_bounds(points).upper, 0.05, 1e-12);
+}
+
+TEST(CubeDiscrepancy, BoundsApproachEachOther) {
+  const CubePoints points =
+      *cube_points_of({.sampler = "sobol", .count = 256, .dimensions = {0, 1, 2}});
+  double gap = 1;
+  for (const double corners : {1e3, 1e4, 1e5, 1e6}) {
+    const Bounds bounds = star_discrepancy_bounds(points, corners);
+    EXPECT_LE(bounds.lower, bounds.upper);
+    EXPECT_LT(bounds.upper - bounds.lower, gap);
+    gap = bounds.upper - bounds.lower;
+  }
+  EXPECT_LT(gap, 0.03);
 }
 
 TEST(SamplerPoints, ReportErrors) {

@@ -65,7 +65,7 @@ TEST(DirectLightMis, IdentitiesOfHeuristics) {
       EXPECT_FLOAT_EQ(mis_of(cutoff, 0).bsdf_weight(bsdf, light), expected);
       EXPECT_FLOAT_EQ(mis_of(power, 0.5f, 1).bsdf_weight(bsdf, light), expected);
       EXPECT_EQ(mis_of(cutoff, 1).bsdf_weight(bsdf, light), mis_of(maximum).bsdf_weight(bsdf, light));
-      EXPECT_EQ(mis_of(maximum).bsdf_weight(bsdf, light), bsdf > light ? 1.0f : 0.0f);
+      EXPECT_EQ(mis_of(maximum).bsdf_weight(bsdf, light), bsdf == light ? 0.5f : bsdf > light ? 1.0f : 0.0f);
     }
   EXPECT_FLOAT_EQ(mis_of(maximum).bsdf_weight(3, 3), 0.5f);
 }
