@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_nesting.h"
 #include "render/display_frame.h"
 #include "viewer/files/loader.h"
 #include "viewer/script/step.h"
@@ -60,14 +61,10 @@ Script::~Script() = default;
 Result<Script> Script::read(const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes.error();
-  const auto* text = reinterpret_cast<const char*>(bytes->data());
-  bool too_deep = false;
-  const auto limit_depth = [&](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
-    too_deep = too_deep || depth > kMaxNesting;
-    return !too_deep;
-  };
-  auto steps = nlohmann::json::parse(text, text + bytes->size(), limit_depth, false);
-  if (too_deep) return input_error(formatted("%s: is nested more than %d levels deep", file.c_str(), kMaxNesting));
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  if (json_nesting(text) > kMaxNesting)
+    return input_error(formatted("%s: is nested more than %d levels deep", file.c_str(), kMaxNesting));
+  auto steps = nlohmann::json::parse(text, nullptr, false);
   if (!steps.is_array()) return input_error(file + ": is not a script; a script is a JSON array of steps");
   for (size_t i = 0; i < steps.size(); ++i)
     if (auto checked = make_step(steps[i]); !checked)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "base/json_nesting.h"
 #include "scene/gltf/import/input_file.h"
 #include "scene/gltf/transport_extension.h"
 
@@ -330,12 +331,10 @@ json parse_json(std::string_view text, std::vector<std::string>& warnings) {
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || text[first] != '{')
     throw FileError{"is not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)"};
+  if (json_nesting(text) > kMaxNesting)
+    throw FileError{"the JSON is nested more than " + std::to_string(kMaxNesting) + " levels deep"};
   try {
-    return json::parse(text, [](int depth, json::parse_event_t, const json&) {
-      if (depth > kMaxNesting)
-        throw FileError{"the JSON is nested more than " + std::to_string(kMaxNesting) + " levels deep"};
-      return true;
-    });
+    return json::parse(text);
   } catch (const json::exception& error) {
     std::string what = error.what();
     const size_t name = what.find("] ");
