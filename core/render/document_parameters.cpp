@@ -31,7 +31,8 @@ DocumentParameters method_parameters(const Document& document, const std::string
   return list;
 }
 
-// The number N of a section "KIND.N", if it is below `count`.
+}  // namespace
+
 std::optional<size_t> section_index(std::string_view section, std::string_view kind, size_t count) {
   if (!section.starts_with(kind) || section.size() <= kind.size() || section[kind.size()] != '.') return {};
   const std::string_view digits = section.substr(kind.size() + 1);
@@ -40,8 +41,6 @@ std::optional<size_t> section_index(std::string_view section, std::string_view k
   if (error != std::errc{} || end != digits.data() + digits.size() || index >= count) return {};
   return index;
 }
-
-}  // namespace
 
 std::vector<std::string> sections(const Document& document) {
   std::vector<std::string> list{"render", "auto",        "film",       "camera", "display",

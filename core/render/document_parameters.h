@@ -2,6 +2,7 @@
 // name.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,5 +83,8 @@ DocumentParameters atmosphere_parameters(const Document& document);
 DocumentParameters material_parameters(const Document& document, size_t index, const std::string& section);
 DocumentParameters light_parameters(const Document& document, size_t index, const std::string& section);
 DocumentParameters node_parameters(const Document& document, size_t index, const std::string& section);
+
+// The number N of a section "KIND.N", such as "node.3", if it is below `count`.
+std::optional<size_t> section_index(std::string_view section, std::string_view kind, size_t count);
 
 }  // namespace etendue::render

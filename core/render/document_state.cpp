@@ -66,6 +66,14 @@ std::map<std::string, Value> values_of(const Document& document, const std::stri
   return values;
 }
 
+// Whether the values of a section can differ between two documents. Comparing the nodes of large scenes is much faster than
+// comparing the values of their sections.
+bool may_differ(const Document& a, const Document& b, const std::string& section) {
+  const auto& nodes = a.scene->nodes;
+  const auto node = section_index(section, "node", nodes.size());
+  return !node || *node >= b.scene->nodes.size() || nodes[*node] != b.scene->nodes[*node];
+}
+
 // Whether a parameter decides which other parameters its section has.
 bool selects_parameters(const std::string& name) { return name.ends_with(".model") || name.ends_with(".preset"); }
 
@@ -237,6 +245,7 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   json settings = json::object();
   const auto origin = origin_with_structure(document);
   for (const auto& section : sections(document)) {
+    if (origin && !may_differ(document, *origin, section)) continue;
     const auto original = origin ? values_of(*origin, section) : std::map<std::string, Value>();
     const auto values = values_of(document, section);
     const auto is_changed = [&](const auto& setting) {

@@ -200,7 +200,7 @@ TEST(Pairwise, Bubble) { expect_pairs_agree(test::bubble(), "ES.*L", 64, kRareTh
 // Few Markov chains of path space enter the paths of the blocks that have a thousandth of the mean radiance. The mean of
 // 36 images agrees with the others at 1024 samples, but most of it comes from a third of the images.
 TEST(Pairwise, LightInTintedWater) {
-  expect_pairs_agree(test::light_in_tinted_water(false), "ES.*L", 64, {"pssmlt:form=multiplexed", "mlt"});
+  expect_pairs_agree(test::light_in_tinted_water(false), "ES.*L", 96, {"pssmlt:form=multiplexed", "mlt"});
 }
 TEST(Pairwise, LightAndCameraInTintedWater) {
   expect_pairs_agree(test::light_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
