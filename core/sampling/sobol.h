@@ -14,6 +14,7 @@
 //                 samples are few.
 #pragma once
 #include "sampling/sampler.h"
+#include "sampling/scrambling.h"
 
 namespace etendue {
 
@@ -21,13 +22,14 @@ class SobolSampler final : public Sampler {
  public:
   static constexpr SamplerDescription kDescription{
       .name = "sobol",
-      .label = "Sobol', Owen",
+      .label = "Sobol'",
       .doc = "Scrambled low-discrepancy points. In smooth regions the error decreases faster than with random numbers.",
       .joint_dimensions = 64,
       .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
-  auto parameters() { return std::tie(); }
+  Choice<Scrambling> scrambling = scrambling_parameter();
+  auto parameters() { return std::tie(scrambling); }
 
   void prepare(uint32_t first, uint32_t count) override;
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;

@@ -9,20 +9,22 @@
 //                 aliasing into noise.
 //   Limitations   The number of samples is fixed: a finer set does not contain a coarser one.
 #pragma once
-#include "sampling/owen.h"
 #include "sampling/point_group.h"
+#include "sampling/scrambling.h"
 
 namespace etendue {
 
-enum class HammersleyScrambling { owen, digital_shift, rotation, jitter };
+// The values of Scrambling in their order, and jitter.
+enum class HammersleyScrambling { owen, digital_shift, rotation, none, jitter };
 
 }  // namespace etendue
 
 template <>
 struct etendue::Options<etendue::HammersleyScrambling> {
-  static constexpr std::array<etendue::Option, 4> kOptions{{{"owen", "Nested (Owen)"},
+  static constexpr std::array<etendue::Option, 5> kOptions{{{"owen", "Nested (Owen)"},
                                                             {"digital-shift", "Digital shift"},
                                                             {"rotation", "Rotation (Cranley-Patterson)"},
+                                                            {"none", "None"},
                                                             {"jitter", "Jitter"}}};
 };
 
@@ -42,7 +44,7 @@ class HammersleySampler final : public Sampler {
   Number<int> log2_size{
       "log2-size", "Group size, log2", 6, {0, 16}, "A group has this power of two of samples: 6 stands for 64."};
   Choice<HammersleyScrambling> scrambling{"scrambling", "Scrambling", HammersleyScrambling::owen,
-                                          "Randomisation of the points in a group"};
+                                          "Randomisation of the points in a group. none: the same set in every group, for study"};
   auto parameters() { return std::tie(log2_size, scrambling); }
 
   // A point as fractions of 32 bits, without randomisation.
@@ -61,16 +63,8 @@ class HammersleySampler final : public Sampler {
  private:
   float randomised(uint32_t x, uint32_t i, uint32_t seed) const {
     const uint32_t random = mix_bits(seed);
-    switch (scrambling.value) {
-      case HammersleyScrambling::owen:
-        return to_unit_float(owen_scramble(x, random));
-      case HammersleyScrambling::digital_shift:
-        return to_unit_float(x ^ random);
-      case HammersleyScrambling::rotation:
-        return to_unit_float(x + random);
-      case HammersleyScrambling::jitter:
-        break;
-    }
+    if (scrambling != HammersleyScrambling::jitter)
+      return to_unit_float(scramble(static_cast<Scrambling>(scrambling.value), x, random));
     const uint32_t below = log2_size > 0 ? 0xffffffffU >> log2_size : 0xffffffffU;  // the digits after the first m
     return to_unit_float(((x ^ random) & ~below) | (hash_combine(random, i + 1) & below));
   }

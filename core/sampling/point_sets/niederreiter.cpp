@@ -85,7 +85,7 @@ void NiederreiterSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t b
   const uint32_t index = is_padding ? owen_scramble(sample, mix_bits(seed)) : sample;
   for (uint32_t k = 0; k < kBlockSize; ++k) {
     const uint32_t x = point(index, is_padding ? k : block * kBlockSize + k);
-    out[k] = to_unit_float(owen_scramble(x, mix_bits(seed + k * 0x9e3779b9U)));
+    out[k] = to_unit_float(scramble(scrambling, x, mix_bits(seed + k * 0x9e3779b9U)));
   }
 }
 

@@ -12,6 +12,7 @@
 //                 numbers are optimised for such pairs.
 #pragma once
 #include "sampling/sampler.h"
+#include "sampling/scrambling.h"
 
 namespace etendue {
 
@@ -19,14 +20,15 @@ class NiederreiterSampler final : public Sampler {
  public:
   static constexpr SamplerDescription kDescription{
       .name = "niederreiter",
-      .label = "Niederreiter, Owen",
+      .label = "Niederreiter",
       .doc = "A scrambled digital sequence in base 2. For comparison with sobol.",
       .for_study = true,
       .joint_dimensions = 64,
       .padding = "blocks of the first eight dimensions, each in an order of samples of its own",
   };
   static constexpr uint32_t kDimensions = 64;
-  auto parameters() { return std::tie(); }
+  Choice<Scrambling> scrambling = scrambling_parameter();
+  auto parameters() { return std::tie(scrambling); }
 
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
 
