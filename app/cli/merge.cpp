@@ -159,7 +159,8 @@ Result<void> merge(const MergeArguments& a) {
   if (!document) return document.error();
   auto samples = merged_samples(a, *list);
   if (!samples) return samples.error();
-  const ResultFiles files{.out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = *aovs, .threads = a.threads};
+  const ResultFiles files{
+      .out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = *aovs, .threads = a.threads};
   const double seconds = static_cast<double>(list->merged.microseconds) * 1e-6;
   return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }
@@ -200,8 +201,9 @@ Command merge_command() {
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
                   {.names = "--denoise",
                    .target = &a->denoised,
-                   .doc = "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
-                          "for display only"},
+                   .doc =
+                       "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
+                       "for display only"},
                   {.names = "--aov", .target = &a->aovs, .doc = "Additional layers of the .exr, as of etendue render"},
                   {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
                   threads_option(a->threads)},

@@ -79,7 +79,8 @@ bool has_light_path_layers(const std::vector<std::string>& aovs) {
   return std::ranges::any_of(aovs, [](const std::string& name) { return render::is_light_path_layer(name); });
 }
 
-Result<void> check_names(const std::string& out, const std::vector<std::string>& additional, const std::string& command) {
+Result<void> check_names(const std::string& out, const std::vector<std::string>& additional,
+                         const std::string& command) {
   if (out.empty()) return usage_error(command + ": no output; give -o FILE.exr, .hdr, .png or .tif");
   if (auto ok = render::check_output_name(out); !ok) return ok;
   for (const std::string& file : additional)

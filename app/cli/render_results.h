@@ -31,7 +31,8 @@ Result<std::vector<std::string>> parse_aovs(const std::string& text);
 bool has_light_path_layers(const std::vector<std::string>& aovs);
 
 // Whether an image file and additional ones, unless they are empty, can be written.
-Result<void> check_names(const std::string& out, const std::vector<std::string>& additional, const std::string& command);
+Result<void> check_names(const std::string& out, const std::vector<std::string>& additional,
+                         const std::string& command);
 
 // Writes the film of a session that has rendered `document`. `choice` is the JSON of the automatic choice of the
 // integrator, or "null". The session renders other documents for the certificate.

@@ -9,8 +9,7 @@ namespace etendue::render {
 
 DenoiseFeatures denoise_features(const scene::CompiledScene& scene, const Document& document, uint32_t samples,
                                  int threads) {
-  const auto layers =
-      render_aov_half_buffers(scene, document, {"albedo", "shading-normal", "depth"}, samples, threads);
+  const auto layers = render_aov_half_buffers(scene, document, {"albedo", "shading-normal", "depth"}, samples, threads);
   float max_depth = 0;
   for (const auto& half_buffer : layers)
     for (const float depth : half_buffer[2].pixels) max_depth = std::max(max_depth, depth);

@@ -16,8 +16,7 @@ float square_of(const Rgb& c) { return c.r * c.r + c.g * c.g + c.b * c.b; }
 std::vector<float> errors_of(const HalfImages& candidate, const HalfImages& unfiltered, int width, int height) {
   std::vector<float> errors(unfiltered[0].size());
   for (size_t i = 0; i < errors.size(); ++i)
-    errors[i] =
-        (square_of(candidate[0][i] - unfiltered[1][i]) + square_of(candidate[1][i] - unfiltered[0][i])) / 2;
+    errors[i] = (square_of(candidate[0][i] - unfiltered[1][i]) + square_of(candidate[1][i] - unfiltered[0][i])) / 2;
   return box_filtered(errors, width, height, kErrorRadius);
 }
 
@@ -38,8 +37,7 @@ std::vector<Rgb> best_of(std::span<const HalfImages> candidates, const HalfImage
   const size_t pixels = unfiltered[0].size();
   std::vector<std::vector<float>> chosen(errors.size(), std::vector<float>(pixels));
   for (size_t i = 0; i < pixels; ++i) {
-    const auto best =
-        std::ranges::min_element(errors, {}, [i](const std::vector<float>& error) { return error[i]; });
+    const auto best = std::ranges::min_element(errors, {}, [i](const std::vector<float>& error) { return error[i]; });
     chosen[static_cast<size_t>(best - errors.begin())][i] = 1;
   }
   std::vector<Rgb> result(pixels, Rgb(0));

@@ -45,7 +45,8 @@ ETENDUE_VECTORIZE void weights_of_row(const TileRow* sums, const float* valid, f
     exponent = exponent < 100 ? exponent : 100;
     const auto whole = static_cast<int32_t>(exponent);
     const float x = static_cast<float>(whole) - exponent;  // in (-1, 0]
-    const float power = 1 + x * (0.69314718f + x * (0.24022651f + x * (0.05550411f + x * (0.00961813f + x * 0.00133336f))));
+    const float power =
+        1 + x * (0.69314718f + x * (0.24022651f + x * (0.05550411f + x * (0.00961813f + x * 0.00133336f))));
     weights[i] = valid[i] * power * std::bit_cast<float>((127 - whole) << 23);
   }
 }
@@ -57,7 +58,8 @@ void weights_of_offset(const GuideImage& guide, const PaddedPlane& valid, TilePo
   for (int row = 0; row < kWideHeight; ++row) {
     const int x = tile.x - kPatchRadius, y = tile.y - kPatchRadius + row;
     WideRow squares{};
-    for (const PaddedPlane& channel : guide.channels) add_squares(channel.at(x, y), channel.at(x + dx, y + dy), squares);
+    for (const PaddedPlane& channel : guide.channels)
+      add_squares(channel.at(x, y), channel.at(x + dx, y + dy), squares);
     sum_columns(squares, scale, guide.variance->at(x, y), guide.variance->at(x + dx, y + dy), guide.min_variance,
                 sums[static_cast<size_t>(row)]);
   }
@@ -74,8 +76,7 @@ void patch_weights(const GuideImage& guide, const PaddedPlane& valid, TilePositi
   weights.resize(diameter * diameter * kTilePixels);
   float* next = weights.data();
   for (int dy = -radius; dy <= radius; ++dy)
-    for (int dx = -radius; dx <= radius; ++dx, next += kTilePixels)
-      weights_of_offset(guide, valid, tile, dx, dy, next);
+    for (int dx = -radius; dx <= radius; ++dx, next += kTilePixels) weights_of_offset(guide, valid, tile, dx, dy, next);
 }
 
 }  // namespace etendue::film
