@@ -2,7 +2,7 @@
 """Errors of raw and denoised images over time, as a table and a chart.
 
   tools/denoised_errors.py [--etendue PROGRAM] [--scenes LIST] [--spp LIST] [--size N] [--reference-spp N]
-                           [--chart FILE.svg] [--images FOLDER]
+                           [--reference-integrator NAME] [--chart FILE.svg] [--images FOLDER]
 
 Renders each scene with `path` and --denoise, and compares both images with a reference that has another seed. The error
 is relMSE. The time is that of rendering; the denoised image takes the additional time of the denoiser, which is measured
@@ -21,10 +21,10 @@ def run(program, *arguments):
     return result.stdout
 
 
-def render(o, scene, samples, seed, output, *more):
+def render(o, scene, samples, seed, output, *more, integrator="path"):
     """Returns the seconds of rendering."""
     text = run(o.etendue, "render", scene, "--size", f"{o.size}x{o.size}", "--spp", str(samples), "--seed", str(seed),
-               "--integrator", "path", "-o", output, "--json", "-", *more)
+               "--integrator", integrator, "-o", output, "--json", "-", *more)
     return json.loads(text)["seconds"]
 
 
@@ -36,8 +36,10 @@ def errors(o, image, reference):
 def measure(o, scene, folder):
     """Rows of samples, rendering seconds, seconds of the denoiser, and both errors of both images."""
     reference = os.path.join(folder, "reference.exr")
-    picture = lambda name: ["--png", os.path.join(o.images, f"{scene}-{name}.png")] if o.images else []
-    render(o, scene, o.reference_spp, 1001, reference, *picture("reference"))
+    label = os.path.basename(scene).split(".")[0]
+    picture = lambda name: ["--png", os.path.join(o.images, f"{label}-{name}.png")] if o.images else []
+    render(o, scene, o.reference_spp, 1001, reference, *picture("reference"),
+           integrator=o.reference_integrator)
     raw, denoised = (os.path.join(folder, name) for name in ("raw.exr", "denoised.exr"))
     rows = []
     for samples in o.counts:
@@ -47,7 +49,7 @@ def measure(o, scene, folder):
         seconds = render(o, scene, samples, 1, raw, "--denoise", denoised, *picture(f"{samples}-raw"))
         filtering = max(0.0, time.monotonic() - middle - (middle - start))
         if o.images:
-            render(o, scene, samples, 1, raw, "--denoise", os.path.join(o.images, f"{scene}-{samples}-denoised.png"))
+            render(o, scene, samples, 1, raw, "--denoise", os.path.join(o.images, f"{label}-{samples}-denoised.png"))
         rows.append((samples, seconds, filtering, *errors(o, raw, reference), *errors(o, denoised, reference)))
     return rows
 
@@ -92,6 +94,7 @@ def main():
     options.add_argument("--spp", default="4,16,64,256")
     options.add_argument("--size", type=int, default=256)
     options.add_argument("--reference-spp", type=int, default=4096)
+    options.add_argument("--reference-integrator", default="path")
     options.add_argument("--chart")
     options.add_argument("--images")
     o = options.parse_args()
@@ -102,7 +105,7 @@ def main():
     print("| scene | samples | rendering, s | denoiser, s | relMSE | denoised | FLIP | denoised |\n|---|---|---|---|---|---|---|---|")
     for scene in o.scenes.split(","):
         with tempfile.TemporaryDirectory() as folder:
-            results[os.path.basename(scene)] = rows = measure(o, scene, folder)
+            results[os.path.basename(scene).split(".")[0]] = rows = measure(o, scene, folder)
         for samples, seconds, filtering, raw, raw_flip, denoised, flip in rows:
             print(f"| {scene} | {samples} | {seconds:.2f} | {filtering:.2f} | {raw:.3g} | {denoised:.3g} | {raw_flip:.3f} | {flip:.3f} |",
                   flush=True)
