@@ -12,28 +12,14 @@
 // amount that its noise hides. It is for display only; errors are measured on the image without filter.
 #pragma once
 #include <array>
-#include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "film/denoise/denoise_input.h"
 #include "film/film.h"
 #include "film/half_buffers.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
-
-// Albedo, normal and depth.
-inline constexpr size_t kDenoiseFeatures = 7;
-
-// One plane per feature, each with one value per pixel, of the order of 1. Empty planes: no features.
-using FeaturePlanes = std::array<std::vector<float>, kDenoiseFeatures>;
-
-struct DenoiseInput {
-  int width = 0;
-  int height = 0;
-  std::array<std::vector<Rgb>, kHalfBuffers> half_buffers;  // means, linear radiance, row by row
-  std::array<FeaturePlanes, kHalfBuffers> features;         // with independent noise
-};
 
 // Feature planes from values with three, three and one channel per pixel. The depth is multiplied by `depth_scale`.
 FeaturePlanes feature_planes(const std::vector<float>& albedo, const std::vector<float>& normal,
@@ -41,9 +27,6 @@ FeaturePlanes feature_planes(const std::vector<float>& albedo, const std::vector
 
 // The means of the half-buffers of a film. Pixels that lack samples of one half-buffer have the mean of the other one.
 std::array<std::vector<Rgb>, kHalfBuffers> half_buffer_means(const Film& film);
-
-// Calls `task(i)` for each i in [0, count), in any order and from any thread, and returns when all are done.
-using ForEach = std::function<void(int count, const std::function<void(int)>& task)>;
 
 // The denoised image. It does not depend on the order of the tasks. Values that are not finite count as missing.
 std::vector<Rgb> denoise(const DenoiseInput& input, const ForEach& for_each);

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "film/denoise/denoise.h"
+#include "film/denoise/denoise_input.h"
 #include "film/denoise/padded_plane.h"
 
 namespace etendue::film {
