@@ -20,7 +20,7 @@ namespace {
 
 struct MergeArguments {
   std::vector<std::string> parts;
-  std::string out, png, aovs, json;
+  std::string out, png, denoised, aovs, json;
   uint32_t samples = 0;
   int threads = 0;
   bool partial = false;
@@ -108,9 +108,9 @@ Result<void> check_output(const MergeArguments& a) {
     if (std::filesystem::equivalent(part, a.out, code))
       return usage_error("merge: " + a.out + " is one of the parts; give another name to -o");
   }
-  if (!a.partial) return check_names(a.out, a.png, "merge");
+  if (!a.partial) return check_names(a.out, {a.png, a.denoised}, "merge");
   if (!a.out.ends_with(".exr")) return usage_error("merge: '" + a.out + "' cannot hold a part; give -o FILE.exr");
-  if (!a.png.empty() || !a.aovs.empty() || !a.json.empty())
+  if (!a.png.empty() || !a.denoised.empty() || !a.aovs.empty() || !a.json.empty())
     return usage_error("merge: --partial has no --png, --aov and --json; give them to the last merge");
   return check_writable(a.out);
 }
@@ -159,7 +159,8 @@ Result<void> merge(const MergeArguments& a) {
   if (!document) return document.error();
   auto samples = merged_samples(a, *list);
   if (!samples) return samples.error();
-  const ResultFiles files{.out = a.out, .png = a.png, .json = a.json, .aovs = *aovs, .threads = a.threads};
+  const ResultFiles files{
+      .out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = *aovs, .threads = a.threads};
   const double seconds = static_cast<double>(list->merged.microseconds) * 1e-6;
   return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }
@@ -169,7 +170,7 @@ int run_merge(const MergeArguments& a) {
     const auto merged = merge(a);
     return merged ? 0 : fail(merged.error());
   }
-  if (a.partial || a.samples > 0 || !a.png.empty() || !a.aovs.empty() || !a.json.empty())
+  if (a.partial || a.samples > 0 || !a.png.empty() || !a.denoised.empty() || !a.aovs.empty() || !a.json.empty())
     return fail(usage_error("merge: " + a.parts[0] + " is not a part of a rendering; give -o FOLDER as only option"));
   return merge_job_parts(a.parts, a.out);
 }
@@ -198,6 +199,11 @@ Command merge_command() {
                    .doc = "Samples per pixel that the parts must have together; default: those of the last part",
                    .bounds = between(1, 1'000'000)},
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
+                  {.names = "--denoise",
+                   .target = &a->denoised,
+                   .doc =
+                       "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
+                       "for display only"},
                   {.names = "--aov", .target = &a->aovs, .doc = "Additional layers of the .exr, as of etendue render"},
                   {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
                   threads_option(a->threads)},

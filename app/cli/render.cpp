@@ -45,7 +45,7 @@ constexpr const char* kFromRank0 = "rank0";
 struct RenderArguments {
   SceneArguments scene;
   PartArguments part;
-  std::string out, png, integrator, sampler, aovs, json, resume, like, measure, scene_from;
+  std::string out, png, denoised, integrator, sampler, aovs, json, resume, like, measure, scene_from;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
   int threads = 0, max_depth = -1, collectors = -1;
@@ -349,6 +349,7 @@ class RenderJob {
                          {.out = a_.out,
                           .png = a_.png,
                           .json = a_.json,
+                          .denoised = a_.denoised,
                           .aovs = aovs_,
                           .threads = a_.threads,
                           .path_layers = path_layers_},
@@ -377,8 +378,8 @@ Result<void> check_part_arguments(const RenderArguments& a, Start& start) {
   render::Document& d = start.document;
   if (a.seconds > 0 || a.error > 0)
     return usage_error("render: a part has a fixed number of samples; give --samples or --spp, not --time or --error");
-  if (!a.png.empty() || !a.aovs.empty())
-    return usage_error("render: a part has no --png and no --aov; give them to etendue merge");
+  if (!a.png.empty() || !a.aovs.empty() || !a.denoised.empty())
+    return usage_error("render: a part has no --png, no --aov and no --denoise; give them to etendue merge");
   if (!a.out.ends_with(".exr")) return usage_error("render: '" + a.out + "' cannot hold a part; give -o FILE.exr");
   if (start.resume_point) return check_resumed_part(a.part, d);
   if (auto ok = apply_part(a.part, a.samples, d); !ok) return ok;
@@ -421,7 +422,7 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
                 start.seconds};
   }
   const RanksArguments arguments{
-      .files = {.out = a.out, .png = a.png, .json = a.json, .aovs = std::move(aovs), .threads = a.threads},
+      .files = {.out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = std::move(aovs), .threads = a.threads},
       .checkpoint_file = checkpoint_file_of(a),
       .checkpoint_interval = a.checkpoint_interval,
       .resumes = !a.resume.empty(),
@@ -447,7 +448,7 @@ Result<void> check_layers(const RenderArguments& a, const std::vector<std::strin
 
 // Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
 int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
-  if (auto ok = check_names(a.out, a.png, "render"); !ok) return fail(ok.error());
+  if (auto ok = check_names(a.out, {a.png, a.denoised}, "render"); !ok) return fail(ok.error());
   auto aovs = parse_aovs(a.aovs);
   if (!aovs) return fail(aovs.error());
   auto start = find_start(a);
@@ -491,6 +492,10 @@ Command render_command() {
                    .doc = "Output file: .exr (linear, with all settings), .hdr (linear), .png (as displayed), "
                           "or of another format"},
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
+                  {.names = "--denoise",
+                   .target = &a->denoised,
+                   .doc = "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
+                          "for display only"},
                   {.names = "--spp",
                    .target = &a->samples,
                    .doc = "Samples per pixel (64 if no limit is given)",

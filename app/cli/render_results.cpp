@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/number_text.h"
 #include "render/aov.h"
+#include "render/denoised_image.h"
 #include "render/image_output.h"
 #include "render/light_path_layers.h"
 #include "render_statistics.h"
@@ -26,6 +27,16 @@ std::string certificate_of(render::Session& session, const render::Document& d, 
   const advisor::RenderStatistics evidence = advisor::statistics_of(film, s, session.model(), threads);
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
+}
+
+// Without a scene, the image is denoised without features.
+Result<void> write_denoised(const scene::CompiledScene* scene, const render::Rendering& rendering,
+                            const ResultFiles& files) {
+  render::DenoiseFeatures features;
+  if (scene)
+    features = render::denoise_features(*scene, rendering.document, kAovSamples / film::kHalfBuffers, files.threads);
+  return render::write_denoised_image(files.denoised, rendering,
+                                      render::denoised_image(rendering.film, std::move(features), files.threads));
 }
 
 }  // namespace
@@ -68,10 +79,14 @@ bool has_light_path_layers(const std::vector<std::string>& aovs) {
   return std::ranges::any_of(aovs, [](const std::string& name) { return render::is_light_path_layer(name); });
 }
 
-Result<void> check_names(const std::string& out, const std::string& png, const std::string& command) {
+Result<void> check_names(const std::string& out, const std::vector<std::string>& additional,
+                         const std::string& command) {
   if (out.empty()) return usage_error(command + ": no output; give -o FILE.exr, .hdr, .png or .tif");
   if (auto ok = render::check_output_name(out); !ok) return ok;
-  return png.empty() ? Result<void>() : render::check_output_name(png);
+  for (const std::string& file : additional)
+    if (!file.empty())
+      if (auto ok = render::check_output_name(file); !ok) return ok;
+  return {};
 }
 
 Result<void> write_results(render::Session& session, const render::Document& document, const render::Status& status,
@@ -84,7 +99,8 @@ Result<void> write_results(render::Session& session, const render::Document& doc
                               .certificate = {},
                               .reweighted = session.reweighted_copy()};
   rendering.sample_counts = std::ranges::find(files.aovs, "sample-count") != files.aovs.end();
-  if (const auto compiled = session.scene(); compiled && !files.aovs.empty()) {
+  const auto compiled = session.scene();
+  if (compiled && !files.aovs.empty()) {
     const uint32_t samples = std::max(status.samples, 1u);
     rendering.layers =
         render::render_aovs(*compiled, document, files.aovs, std::min(samples, kAovSamples), files.threads);
@@ -100,6 +116,8 @@ Result<void> write_results(render::Session& session, const render::Document& doc
   if (auto ok = render::write_image(files.out, rendering); !ok) return ok;
   if (!files.png.empty())
     if (auto ok = render::write_image(files.png, rendering); !ok) return ok;
+  if (!files.denoised.empty())
+    if (auto ok = write_denoised(compiled.get(), rendering, files); !ok) return ok;
   if (files.json.empty()) return {};
   return write_statistics(files.json, statistics_json({.document = document,
                                                        .status = status,

@@ -16,6 +16,7 @@ namespace etendue::cli {
 struct ResultFiles {
   std::string out;                // image file
   std::string png, json;          // additional files, or empty; '-' as `json` is standard output
+  std::string denoised;           // additional file with the denoised image, or empty
   std::vector<std::string> aovs;  // additional layers of the image
   int threads = 0;
   // The layers of light paths that were recorded with the image; null: none.
@@ -29,8 +30,9 @@ Result<std::vector<std::string>> parse_aovs(const std::string& text);
 // Whether layers of light paths are among them, which have to be recorded while the image is rendered.
 bool has_light_path_layers(const std::vector<std::string>& aovs);
 
-// Whether an image file and, unless it is empty, an additional one can be written.
-Result<void> check_names(const std::string& out, const std::string& png, const std::string& command);
+// Whether an image file and additional ones, unless they are empty, can be written.
+Result<void> check_names(const std::string& out, const std::vector<std::string>& additional,
+                         const std::string& command);
 
 // Writes the film of a session that has rendered `document`. `choice` is the JSON of the automatic choice of the
 // integrator, or "null". The session renders other documents for the certificate.

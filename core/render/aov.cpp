@@ -90,6 +90,64 @@ int max_depth_of(const Document& document) {
   return 0;
 }
 
+// The samples first, first + step, ...
+struct AovSamples {
+  uint32_t first = 0;
+  uint32_t step = 1;
+  uint32_t count = 1;
+};
+
+std::vector<image::Layer> aov_layers(const scene::CompiledScene& scene, const Document& document,
+                                     const std::vector<std::string>& names, const AovSamples& samples, int threads) {
+  const int width = document.width, height = document.height;
+  std::vector<image::Layer> layers;
+  std::vector<const Aov*> requested;
+  for (const auto& name : names)
+    if (const Aov* aov = find_aov(name)) {
+      requested.push_back(aov);
+      layers.push_back(
+          {name, aov->channels,
+           std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * aov->channels.size())});
+    }
+  const auto sampler = sampler_of(document);
+  const CameraRays camera(document.camera, width, height, scene.camera_motion());
+  const film::Filter filter(document.filter);
+  sampler->prepare(0, (samples.first + samples.step * samples.count) / film::kHalfBuffers + 1);
+
+  const auto render_row = [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+      for (uint32_t i = 0; i < samples.count; ++i) {
+        const uint32_t s = samples.first + i * samples.step;
+        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kHalfBuffers);
+        SampleBlock random;
+        sampler->block(seed, s / film::kHalfBuffers, 0, random);
+        const Vec2 raster = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
+                            filter.sample(pair_of(random, camera_dimension::kPixel));
+        const float time = random[camera_dimension::kTime];
+        const Ray ray = camera.ray(raster, pair_of(random, camera_dimension::kLens), time);
+        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kHalfBuffers), time);
+        if (!hit) continue;
+        scene::SurfacePoint point;
+        const Vec3 wo = -ray.direction;
+        scene.surfaces({&wo, 1}, {&hit, 1}, &point, &time);
+        const AovHit aov_hit{.point = point, .distance = hit.t, .side = point.front ? 1.0f : -1.0f};
+        for (size_t k = 0; k < requested.size(); ++k) {
+          const Aov& aov = *requested[k];
+          if (!aov.is_averaged && i > 0) continue;
+          const AovValue value = aov.evaluate(aov_hit);
+          const size_t channels = aov.channels.size();
+          const float weight = aov.is_averaged ? 1.0f / static_cast<float>(samples.count) : 1.0f;
+          for (size_t c = 0; c < channels; ++c) layers[k].pixels[pixel * channels + c] += value[c] * weight;
+        }
+      }
+    }
+  };
+  ThreadPool workers(threads);
+  workers.run(0, height, render_row, [] { return true; });
+  return layers;
+}
+
 }  // namespace
 
 const std::vector<std::string>& medium_aov_names() {
@@ -112,51 +170,16 @@ const std::vector<std::string>& aov_names() {
 
 std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const Document& document,
                                       const std::vector<std::string>& names, uint32_t samples, int threads) {
-  const int width = document.width, height = document.height;
-  std::vector<image::Layer> layers;
-  std::vector<const Aov*> requested;
-  for (const auto& name : names)
-    if (const Aov* aov = find_aov(name)) {
-      requested.push_back(aov);
-      layers.push_back(
-          {name, aov->channels,
-           std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * aov->channels.size())});
-    }
-  const auto sampler = sampler_of(document);
-  const CameraRays camera(document.camera, width, height, scene.camera_motion());
-  const film::Filter filter(document.filter);
-  sampler->prepare(0, samples / film::kHalfBuffers + 1);
+  return aov_layers(scene, document, names, {.count = samples}, threads);
+}
 
-  const auto render_row = [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-      for (uint32_t s = 0; s < samples; ++s) {
-        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kHalfBuffers);
-        SampleBlock random;
-        sampler->block(seed, s / film::kHalfBuffers, 0, random);
-        const Vec2 raster = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
-                            filter.sample(pair_of(random, camera_dimension::kPixel));
-        const float time = random[camera_dimension::kTime];
-        const Ray ray = camera.ray(raster, pair_of(random, camera_dimension::kLens), time);
-        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kHalfBuffers), time);
-        if (!hit) continue;
-        scene::SurfacePoint point;
-        const Vec3 wo = -ray.direction;
-        scene.surfaces({&wo, 1}, {&hit, 1}, &point, &time);
-        const AovHit aov_hit{.point = point, .distance = hit.t, .side = point.front ? 1.0f : -1.0f};
-        for (size_t k = 0; k < requested.size(); ++k) {
-          const Aov& aov = *requested[k];
-          if (!aov.is_averaged && s > 0) continue;
-          const AovValue value = aov.evaluate(aov_hit);
-          const size_t channels = aov.channels.size();
-          const float weight = aov.is_averaged ? 1.0f / static_cast<float>(samples) : 1.0f;
-          for (size_t c = 0; c < channels; ++c) layers[k].pixels[pixel * channels + c] += value[c] * weight;
-        }
-      }
-    }
-  };
-  ThreadPool workers(threads);
-  workers.run(0, height, render_row, [] { return true; });
+std::array<std::vector<image::Layer>, film::kHalfBuffers> render_aov_half_buffers(const scene::CompiledScene& scene,
+                                                                                  const Document& document,
+                                                                                  const std::vector<std::string>& names,
+                                                                                  uint32_t samples, int threads) {
+  std::array<std::vector<image::Layer>, film::kHalfBuffers> layers;
+  for (uint32_t h = 0; h < film::kHalfBuffers; ++h)
+    layers[h] = aov_layers(scene, document, names, {.first = h, .step = film::kHalfBuffers, .count = samples}, threads);
   return layers;
 }
 

@@ -1,10 +1,12 @@
 // Arbitrary output variables: properties of the first hit of each pixel, from the camera rays of its first samples.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "film/half_buffers.h"
 #include "image/image.h"
 #include "render/document.h"
 #include "scene/forward.h"
@@ -24,6 +26,12 @@ const std::vector<std::string>& medium_aov_names();
 // start at 1. All values are 0 where a ray hits nothing. With 0 threads: one per hardware thread.
 std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const Document& document,
                                       const std::vector<std::string>& names, uint32_t samples, int threads);
+
+// The same, separately from the camera rays of the samples of both half-buffers: `samples` rays in each of them.
+std::array<std::vector<image::Layer>, film::kHalfBuffers> render_aov_half_buffers(const scene::CompiledScene& scene,
+                                                                                  const Document& document,
+                                                                                  const std::vector<std::string>& names,
+                                                                                  uint32_t samples, int threads);
 
 // The terms of the equation of transfer among these names, in the order of medium_aov_names(): radiance in cd/m^2,
 // estimated without bias by path tracing with `samples` paths per pixel and the maximum path length of the document's

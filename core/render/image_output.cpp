@@ -1,6 +1,7 @@
 #include "render/image_output.h"
 
 #include <filesystem>
+#include <map>
 
 #include "base/file.h"
 #include "film/film_image.h"
@@ -45,6 +46,22 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   if (r.sample_counts) image.layers.push_back(sample_count_layer(film));
   for (const auto& layer : r.layers) image.layers.push_back(layer);
   return (*format)->write_layers(path, image);
+}
+
+Result<void> write_denoised_image(const std::string& path, const Rendering& r, const std::vector<float>& denoised) {
+  const auto format = image::require_writer(path);
+  if (!format) return format.error();
+  const int width = r.film.width(), height = r.film.height();
+  if ((*format)->write_linear) return (*format)->write_linear(path, width, height, denoised);
+  const std::map<std::string, std::string> attributes = {
+      {kStateAttribute, state_json(r.document, r.samples)}, {"software", "etendue"}, {kDenoisedAttribute, "true"}};
+  if ((*format)->write_display) {
+    const Display& display = r.document.display;
+    const auto displayed = image::display_pixels(denoised, display.exposure, display.curve);
+    return (*format)->write_display(path, width, height, displayed, attributes);
+  }
+  return (*format)->write_layers(
+      path, {.width = width, .height = height, .layers = {{"", {"R", "G", "B"}, denoised}}, .attributes = attributes});
 }
 
 }  // namespace etendue::render

@@ -33,4 +33,10 @@ struct Rendering {
 // .png file also holds the state.
 Result<void> write_image(const std::string& path, const Rendering& rendering);
 
+// Writes a denoised image, three numbers per pixel, with the settings of the rendering. It has no variance, no certificate
+// and no layers, because its error is not known; the attribute kDenoisedAttribute marks it.
+inline constexpr const char* kDenoisedAttribute = "etendue:denoised";
+Result<void> write_denoised_image(const std::string& path, const Rendering& rendering,
+                                  const std::vector<float>& denoised);
+
 }  // namespace etendue::render

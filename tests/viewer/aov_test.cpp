@@ -70,5 +70,29 @@ TEST_F(AovInViewport, TermsOfMediaAreForScenesWithMedia) {
       run(joined(small(1), json::array({set("view.aov", "albedo"), {{"do", "wait"}, {"for", "aov"}}})), "cornell"), 0);
 }
 
+// The denoised image has the brightness of the image within its bias. It is shown instead of the image, but never
+// exported instead of it.
+TEST_F(AovInViewport, DenoisedImageIsOnlyDisplayed) {
+  json steps =
+      joined(small(16), json::array({file_step("image", path("before.exr")), key("shift+v"), wait_for("aov"),
+                                     file_step("state", path("denoised.json")), file_step("image", path("after.exr")),
+                                     key("shift+v"), file_step("state", path("image.json"))}));
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  const json aov = state("denoised.json")["aov"];
+  EXPECT_EQ(aov["name"], "denoised");
+  EXPECT_EQ(aov["samples"], 16);
+  EXPECT_TRUE(state("image.json")["aov"].is_null());
+  const auto before = saved_image("before.exr"), after = saved_image("after.exr");
+  const auto& pixels = before.layers.at(0).pixels;
+  EXPECT_EQ(pixels, after.layers.at(0).pixels);
+  double expected = 0;
+  for (size_t i = 0; i + 2 < pixels.size(); i += 3)
+    expected += 0.2126 * double{pixels[i]} + 0.7152 * double{pixels[i + 1]} + 0.0722 * double{pixels[i + 2]};
+  expected /= static_cast<double>(pixels.size()) / 3;
+  const double mean = aov["mean_luminance"].get<double>();
+  EXPECT_NEAR(mean, expected, 0.05 * expected);
+  EXPECT_NE(mean, expected);
+}
+
 }  // namespace
 }  // namespace etendue

@@ -48,6 +48,11 @@ void show_next_aov(AppState& state) {
   shown = is_last ? "" : *(current + 1);
 }
 
+void toggle_denoised(AppState& state) {
+  std::string& shown = state.viewport.aov_name;
+  shown = shown == kDenoisedLayer ? "" : kDenoisedLayer;
+}
+
 void fit_image_to_viewport(AppState& state) {
   render::Document changed = state.document();
   changed.width = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.x));
@@ -120,15 +125,24 @@ void add_display_actions(ActionList& actions) {
                .run = set_automatic_exposure,
                .enabled = has_document,
                .section = "display"});
+  actions.add({.name = "display.next-aov",
+               .menu = "View",
+               .label = "Next AOV",
+               .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, terms of media, error, denoised; "
+                          "then the image again",
+               .shortcut = "v",
+               .run = show_next_aov,
+               .enabled = has_document,
+               .section = "display"});
   actions.add(
-      {.name = "display.next-aov",
+      {.name = "display.toggle-denoised",
        .menu = "View",
-       .label = "Next AOV",
-       .tooltip =
-           "Shows the next AOV: albedo, normals, depth, position, ids, terms of media, error; then the image again",
-       .shortcut = "v",
-       .run = show_next_aov,
+       .label = "Denoised",
+       .tooltip = "Shows a denoised image, which is biased. Errors, checkpoints and exports keep the image itself",
+       .shortcut = "shift+v",
+       .run = toggle_denoised,
        .enabled = has_document,
+       .checked = [](const AppState& state) { return state.viewport.aov_name == kDenoisedLayer; },
        .section = "display"});
   actions.add({.name = "display.toggle-false-color",
                .menu = "View",

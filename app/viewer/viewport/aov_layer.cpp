@@ -19,6 +19,7 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kSamplesPerPixel = 2;
+constexpr uint32_t kFeatureSamples = 4;  // of the denoised image, per pixel and half-buffer
 constexpr uint32_t kFirstSamples = 1, kLastSamples = 256, kSampleGrowth = 4;
 
 bool is_medium_term(const std::string& name) {
@@ -113,6 +114,30 @@ AovImage radiance_image(std::shared_ptr<const scene::CompiledScene> scene, const
   return image;
 }
 
+// `features` are those of an earlier image of this version, or null.
+AovImage denoised_image(render::Session& session, const scene::CompiledScene& scene, const render::Document& document,
+                        uint64_t version, std::shared_ptr<const render::DenoiseFeatures> features,
+                        const std::atomic<bool>& cancelled) {
+  if (!features)
+    features = std::make_shared<render::DenoiseFeatures>(render::denoise_features(scene, document, kFeatureSamples, 0));
+  const film::Film film = session.film_copy();
+  const uint32_t samples = session.status().samples;
+  const auto values = render::denoised_image(film, *features, 0, [&] { return !cancelled.load(); });
+  AovImage image{.name = kDenoisedLayer,
+                 .version = version,
+                 .samples = samples,
+                 .is_radiance = true,
+                 .scale = formatted("%u samples per pixel; biased, for display only", samples),
+                 .width = film.width(),
+                 .height = film.height(),
+                 .pixels = {},
+                 .features = std::move(features)};
+  for (size_t i = 0; i + 2 < values.size(); i += 3) image.pixels.push_back({values[i], values[i + 1], values[i + 2]});
+  return image;
+}
+
+bool is_layer_of_film(const std::string& name) { return name == kErrorLayer || name == kDenoisedLayer; }
+
 }  // namespace
 
 std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
@@ -122,21 +147,22 @@ std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
   if (!scene || scene->scatters())
     names.insert(names.end(), render::medium_aov_names().begin(), render::medium_aov_names().end());
   names.emplace_back(kErrorLayer);
+  names.emplace_back(kDenoisedLayer);
   return names;
 }
 
-// The error layer is updated when the number of samples has grown by a quarter.
+// Layers of the film are updated when the number of samples has grown by a quarter.
 bool AovLayer::is_outdated(const std::string& name) const {
   if (image_.name != name || image_.version != editor_.version()) return true;
   if (is_part_of_radiance(name)) return image_.samples < kLastSamples;
-  if (name != kErrorLayer) return false;
+  if (!is_layer_of_film(name)) return false;
   const render::Status status = session_.status();
   return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
 }
 
 AovLayer::~AovLayer() { cancel(); }
 
-// Ends the computation of parts of the radiance, which takes long. Other work is short and runs to its end.
+// Ends work that takes long: parts of the radiance and the denoised image. Other work is short and runs to its end.
 void AovLayer::cancel() {
   if (!cancelled_) return;
   cancelled_->store(true);
@@ -144,11 +170,22 @@ void AovLayer::cancel() {
   task_.abandon();
 }
 
+void AovLayer::start_denoising(std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
+  const bool continues = image_.name == kDenoisedLayer && image_.version == version;
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  task_.start(
+      [&session = session_, scene = std::move(scene), document = editor_.document(), version,
+       features = continues ? image_.features : nullptr,
+       cancelled = cancelled_] { return denoised_image(session, *scene, document, version, features, *cancelled); },
+      wake_);
+}
+
 void AovLayer::start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
   requested_ = {.name = name, .version = version};
   cancelled_.reset();
   if (name == kErrorLayer)
     return task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
+  if (name == kDenoisedLayer) return start_denoising(std::move(scene), version);
   if (!is_part_of_radiance(name))
     return task_.start(
         [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },

@@ -1,7 +1,7 @@
 // Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, the light of
 // single bounces and path classes, and the terms of the equation of transfer in scenes with participating media. They
 // are computed beside the main rendering, which continues. Parts of the radiance are computed again with more samples
-// until they have 256 per pixel.
+// until they have 256 per pixel. The denoised image (film/denoise/denoise.h) is for display only.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/denoised_image.h"
 #include "spectrum/rgb.h"
 #include "viewer/tasks/background_task.h"
 
@@ -26,17 +27,20 @@ class Editor;
 struct AovImage {
   std::string name;
   uint64_t version = 0;      // of the document
-  uint32_t samples = 0;      // of the rendering, for the error; of the image, for parts of the radiance
+  uint32_t samples = 0;      // of the rendering, for layers of the film; of the image, for parts of the radiance
   bool is_radiance = false;  // in cd/m^2, shown like the image; else colours that are shown as they are
   std::string scale = {};    // meaning of the colours: "0.001 to 0.03"
   int width = 0;
   int height = 0;
-  std::vector<Rgb> pixels;  // linear colours
+  std::vector<Rgb> pixels;                                            // linear colours
+  std::shared_ptr<const render::DenoiseFeatures> features = nullptr;  // of the denoised image, for its next update
 };
 
 // The name of the error layer. The other names are those of render::aov_names(), render::light_path_layer_names() and
 // render::medium_aov_names().
 inline constexpr const char* kErrorLayer = "error";
+// The name of the denoised image, which is computed from the film, as the error layer is.
+inline constexpr const char* kDenoisedLayer = "denoised";
 // The layers of a scene; null: all layers.
 std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene = nullptr);
 
@@ -60,13 +64,14 @@ class AovLayer {
   };
 
   bool is_outdated(const std::string& name) const;
+  void start_denoising(std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
   void start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
   void cancel();
 
   render::Session& session_;
   const Editor& editor_;
   std::function<void()> wake_;
-  std::shared_ptr<std::atomic<bool>> cancelled_;  // of the work on parts of the radiance
+  std::shared_ptr<std::atomic<bool>> cancelled_;  // of work that takes long
   BackgroundTask<AovImage> task_;
   Request requested_;  // what the task computes
   AovImage image_;
