@@ -50,12 +50,6 @@ struct Limits {
   }
 };
 
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
-  const double t = length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
-}
-
 class Chart {
  public:
   Chart(std::span<const MethodCurves> methods, const ChartOptions& options)
