@@ -1,15 +1,25 @@
 #!/usr/bin/env bash
-# Shows scenes as the viewer displays them right after opening, without options: contact_sheet.sh OUT SCENE...
+# Shows scenes as the viewer displays them right after opening, without options: contact_sheet.sh OUT SCENE|FOLDER...
 #
-#   tools/contact_sheet.sh out/contact-sheet ../shared/data/gltf/*.glb
+#   tools/contact_sheet.sh out/contact-sheet "$ETENDUE_TEST_DATA/gltf"
 #
+# A folder stands for all glTF files below it, in alphabetical order, except those of the negative tests (Negative).
 # Writes one screenshot per scene and OUT/index.html with all of them, and OUT/sheet.png if the test program `looks` is
 # built. $ETENDUE is the program; the default is the release build. $SPP samples per pixel are taken (16).
 set -euo pipefail
-[ $# -ge 2 ] || { sed -n 2,8p "$0" >&2; exit 2; }
+[ $# -ge 2 ] || { sed -n 2,10p "$0" >&2; exit 2; }
 program=$(realpath "${ETENDUE:-$(dirname "$0")/../build/release/app/cli/etendue}")
 out=$1
 shift
+scenes=()
+for argument in "$@"; do
+  if [ -d "$argument" ]; then
+    mapfile -d '' -t found < <(find "$argument" -name '*.gl*' ! -path '*Negative*' -print0 | sort -z)
+    scenes+=("${found[@]}")
+  else
+    scenes+=("$argument")
+  fi
+done
 mkdir -p "$out"
 out=$(realpath "$out")
 {
@@ -19,7 +29,7 @@ out=$(realpath "$out")
 n=0
 failed=0
 tiles=()
-for scene in "$@"; do
+for scene in "${scenes[@]}"; do
   n=$((n + 1))
   name=$(printf %03d "$n")
   cat >"$out/script.json" <<JSON

@@ -247,6 +247,10 @@ bool has_task_update(const AppState& state) {
   return std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->has_update(); });
 }
 
+bool has_waiting_task(const AppState& state) {
+  return std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->is_waiting(); });
+}
+
 bool is_file_active(const AppState& state) {
   const FileState& files = state.files;
   const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy() ||

@@ -12,6 +12,8 @@ void update_state(AppState& state, ImageView& live_image);
 
 // Whether a background task has a result that update_state has not taken up yet.
 bool has_task_update(const AppState& state);
+// Whether a background task will have an update without an event.
+bool has_waiting_task(const AppState& state);
 // Whether a file is being read or written.
 bool is_file_active(const AppState& state);
 

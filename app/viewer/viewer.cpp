@@ -177,7 +177,8 @@ class Application {
     const bool image_is_due = is_new && since_draw >= pacing_.interval(latest->samples);
     const bool has_result = has_task_update(state_);
     const bool result_is_due = has_result && since_draw >= pacing_.interval(0);
-    image_waits_ = (is_new && !is_urgent && !image_is_due) || (has_result && !result_is_due);
+    image_waits_ = (is_new && !is_urgent && !image_is_due) || (has_result && !result_is_due) ||
+                   has_waiting_task(state_);
     const double status_interval = state_.session->status().phase_progress > 0 ? 0.25 : 1;
     return is_urgent || image_is_due || result_is_due || since_draw >= status_interval;
   }

@@ -10,7 +10,7 @@
 namespace etendue::render {
 namespace {
 
-constexpr int kColumns = 24, kRows = 16;
+constexpr int kColumns = 48, kRows = 32;
 constexpr float kTarget = 0.6f;                      // displayed luminance of the 90th percentile
 constexpr float kDarkest = 0.06f, kBrightest = 2.5f;  // beyond them, the exposure is unsuitable
 constexpr float kMinLuminance = 1e-9f;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "metrics/log_axis.h"
 
@@ -170,8 +171,39 @@ class Chart {
   void draw_guide(double slope, const std::string& label) {
     const double end = std::min(x_.high(), x_.low() * std::pow(y_.low() / y_.high(), 1 / slope));
     const Point to{x_.position(end), y_.position(y_.high() * std::pow(end / x_.low(), slope))};
-    add_line({x_.position(x_.low()), y_.position(y_.high())}, to, options_.palette.secondary_text, true);
-    add_text(to.x - 6, to.y - 6, label, Anchor::right, options_.palette.secondary_text);
+    const Point from{x_.position(x_.low()), y_.position(y_.high())};
+    add_line(from, to, options_.palette.secondary_text, true);
+    const Point at = place_of_label(from, to, kLetterWidth * static_cast<double>(label.size()));
+    add_text(at.x, at.y, label, Anchor::left, options_.palette.secondary_text);
+  }
+
+  // Where a text of this width above a descending line is farthest from the curves. Distances of more than three lines of
+  // text count alike, and the end of the line is preferred.
+  Point place_of_label(const Point& from, const Point& to, double width) const {
+    constexpr int kPlaces = 32;
+    constexpr double kGap = 6, kFarEnough = 3 * kText;
+    Point best{right() - width, margins_.top + kText};
+    double most = -1;
+    for (int i = kPlaces - 1; i >= 0; --i) {
+      const double t = (i + 0.5) / kPlaces;
+      const Point corner{std::lerp(from.x, to.x, t) + kGap, std::lerp(from.y, to.y, t) - kGap};
+      if (corner.x + width > right() || corner.y - kText < margins_.top) continue;
+      const double distance = std::min(distance_to_curves({corner.x + 0.5 * width, corner.y - 0.4 * kText}), kFarEnough);
+      if (distance <= most) continue;
+      most = distance;
+      best = corner;
+    }
+    return best;
+  }
+
+  double distance_to_curves(const Point& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& band : bands_)
+      for (size_t i = 0; i < band.size(); ++i) {
+        const auto at = [&](const BandPoint& b) { return Point{x_.position(b.x), y_.position(b.median)}; };
+        least = std::min(least, distance_to_segment(p, at(band[i > 0 ? i - 1 : 0]), at(band[i])));
+      }
+    return least;
   }
 
   void draw_band(size_t i) {

@@ -68,6 +68,12 @@ std::string css_color(const Color& color) {
   return text;
 }
 
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
 std::vector<std::array<Point, 2>> dash_segments(const Polyline& line) {
   std::vector<std::array<Point, 2>> dashes;
   double offset = 0;  // arc length at the start of the segment

@@ -63,6 +63,9 @@ struct Drawing {
   std::vector<std::variant<Polygon, Polyline, Dot, Text>> shapes;
 };
 
+// The distance of a point from the line between two points.
+double distance_to_segment(const Point& p, const Point& a, const Point& b);
+
 // The end points of the dashes of a dashed line, for back ends that cannot draw dashed lines.
 std::vector<std::array<Point, 2>> dash_segments(const Polyline& line);
 

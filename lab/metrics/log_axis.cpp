@@ -48,9 +48,9 @@ std::string short_number(double value, int digits) {
   return number;
 }
 
-std::vector<LogAxis::Tick> linear_ticks(double low, double high) {
-  constexpr int kMostTicks = 9, kLeastDigits = 3, kMostDigits = 15;
-  const double least = (high - low) / kMostTicks;
+std::vector<LogAxis::Tick> linear_ticks(double low, double high, int most) {
+  constexpr int kLeastDigits = 3, kMostDigits = 15;
+  const double least = (high - low) / most;
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   double step = 10 * power;
   for (const double digit : {5.0, 2.0, 1.0})

@@ -30,8 +30,8 @@ class LogAxis {
 // At most this number of significant digits in the shortest form: "0.01", "20", "1e-5".
 std::string short_number(double value, int digits = 3);
 
-// Tick marks of a linear axis at multiples of 1, 2 or 5 times a power of ten, about ten of them. All have labels, with
-// as many digits as distinguish neighbours, but at least three. low < high.
-std::vector<LogAxis::Tick> linear_ticks(double low, double high);
+// Tick marks of a linear axis at multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them. All have labels,
+// with as many digits as distinguish neighbours, but at least three. low < high, most > 0.
+std::vector<LogAxis::Tick> linear_ticks(double low, double high, int most = 9);
 
 }  // namespace etendue::metrics

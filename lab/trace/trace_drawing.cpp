@@ -2,6 +2,7 @@
 
 #include "base/base64.h"
 #include "camera/segment_projection.h"
+#include "integrator/integrator_info.h"
 #include "trace/trace_text.h"
 
 namespace etendue::trace {
@@ -10,6 +11,11 @@ namespace {
 using Kind = PathSegment::Kind;
 using transport::RecordedLight;
 using transport::RecordedVertex;
+
+std::string label_of_integrator(const render::PixelTrace& trace) {
+  const auto* info = integrator::find_integrator(trace.integrator);
+  return info ? info->label : trace.integrator;
+}
 
 metrics::Point point(const Vec2& p) { return {double{p.x}, double{p.y}}; }
 
@@ -55,7 +61,7 @@ metrics::Color color_of(Kind kind) {
 metrics::Drawing path_drawing(const render::PixelTrace& trace, const Camera& camera, Vec2i image_size) {
   metrics::Drawing drawing{.width = image_size.x, .height = image_size.y, .title = {}, .shapes = {}};
   drawing.title = "Paths of pixel " + std::to_string(trace.pixel.x) + "," + std::to_string(trace.pixel.y) +
-                  ", sample " + std::to_string(trace.sample) + ", " + trace.integrator;
+                  ", sample " + std::to_string(trace.sample) + ", " + label_of_integrator(trace);
   const double width = std::max(1.0, 0.002 * std::max(image_size.x, image_size.y));
   for (const PathSegment& s : path_segments(trace.record, far_length(*trace.scene)))
     if (const auto ends = project_segment(camera, image_size, s.from, s.to))

@@ -88,6 +88,21 @@ TEST_F(FirstView, TheStudioIsAddedWhereTheLightsLeaveSurfacesBlack) {
   EXPECT_GT(state("s.json")["parameters"]["camera.exposure"].get<double>(), 0);
 }
 
+// Of three objects a directional light illuminates a rough one; a mirror and glass stay black.
+TEST_F(FirstView, TheStudioIsAddedWhereMostObjectsAreBlack) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const std::string file = std::string(data) + "/gltf/IridescenceSuzanne.glb";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
+  for (const auto& [width, height] : {std::pair(1280, 720), std::pair(900, 560)}) {
+    const json steps = json::array({{{"do", "wait"}, {"spp", 16}}, {{"do", "wait"}, {"seconds", 0.5}},
+                                    {{"do", "wait"}, {"spp", 8}}, file_step("state", path("s.json"))});
+    ASSERT_EQ(run(steps, file, width, height), 0);
+    EXPECT_EQ(state("s.json")["parameters"]["environment.preset"], "studio") << width;
+    EXPECT_EQ(state("s.json")["darkness"], "none") << width;
+  }
+}
+
 TEST_F(FirstView, AnEditOfTheUserEndsTheAdjustments) {
   ASSERT_EQ(run(json::array({set("camera.exposure", 1),
                              {{"do", "wait"}, {"spp", 8}},

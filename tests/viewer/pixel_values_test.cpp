@@ -58,5 +58,71 @@ TEST_F(PixelValues, HistogramFollowsTheExposure) {
   EXPECT_GT(after["above_white"].get<double>(), 0.8);
 }
 
+// The charts describe the AOV that is shown: normals are shown as colours without exposure, so that none is above white.
+TEST_F(PixelValues, HistogramFollowsTheAov) {
+  const json steps = joined(small(4), json::array({set("camera.exposure", 10),
+                                                   {{"do", "wait"}, {"spp", 4}},
+                                                   click("panel.histogram"),
+                                                   wait_for("histogram"),
+                                                   file_step("state", path("beauty.json")),
+                                                   set("view.aov", "normal"),
+                                                   wait_for("aov"),
+                                                   wait_for("histogram"),
+                                                   file_step("state", path("normal.json"))}));
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  const json beauty = state("beauty.json")["histogram"], normal = state("normal.json")["histogram"];
+  EXPECT_EQ(beauty["source"], "beauty");
+  EXPECT_GT(beauty["above_white"].get<double>(), 0.8);
+  EXPECT_EQ(normal["source"], "normal");
+  EXPECT_EQ(normal["above_white"], 0);
+}
+
+// The window with the values follows a drag by its head, and keeps its place for the next start.
+TEST_F(PixelValues, WindowIsDraggedAndKeepsItsPlace) {
+  const auto run_with_settings = [&](const json& steps) {
+    std::ofstream(path("steps.json")) << steps.dump();
+    viewer::ViewOptions options;
+    options.scene = "cornell";
+    options.offscreen = true;
+    options.script = path("steps.json");
+    options.settings = path("settings");
+    options.width = 1280;
+    options.height = 720;
+    return viewer::run_viewer(options);
+  };
+  const auto drag = [](int x, int y) {
+    return json{{"do", "drag"}, {"item", "pixel-values.window"}, {"by", {x, y}}};
+  };
+  const json start = json::array({{{"do", "wait"}, {"spp", 1}}, key("i")});
+  ASSERT_EQ(run_with_settings(joined(start, json::array({file_step("state", path("first.json")), drag(-300, 200),
+                                                         file_step("state", path("moved.json"))}))),
+            0);
+  ASSERT_EQ(run_with_settings(joined(start, json::array({file_step("state", path("again.json")), drag(-3000, 3000),
+                                                         file_step("state", path("corner.json")),
+                                                         file_step("screenshot", path("corner.png"))}))),
+            0);
+  const auto window = [&](const char* file) { return state(file)["pixel_values"]["window"]; };
+  const json first = window("first.json"), moved = window("moved.json"), again = window("again.json");
+  EXPECT_NEAR(moved[0].get<double>(), first[0].get<double>() - 300, 1);
+  EXPECT_NEAR(moved[1].get<double>(), first[1].get<double>() + 200, 1);
+  EXPECT_EQ(again[0], moved[0]);
+  EXPECT_EQ(again[1], moved[1]);
+  EXPECT_EQ(window("corner.json")[0], 0) << "it stays in the viewport";
+}
+
+// An exposure that changes within half a second of a computation is taken up without an event.
+TEST_F(PixelValues, HistogramIsNeverOutdatedForLong) {
+  const json steps =
+      joined(small(4), json::array({click("panel.histogram"),
+                                    wait_for("histogram"),
+                                    set("camera.exposure", 4),
+                                    wait_for("histogram"),
+                                    set("camera.exposure", 10),
+                                    {{"do", "wait"}, {"seconds", 0.9}},
+                                    file_step("state", path("after.json"))}));
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  EXPECT_GT(state("after.json")["histogram"]["above_white"].get<double>(), 0.8);
+}
+
 }  // namespace
 }  // namespace etendue

@@ -140,6 +140,23 @@ TEST_F(Viewer, FilterHidesOtherParameters) {
   EXPECT_EQ(run(click_roughness("roughness")), 0);
 }
 
+// Every bottom panel with parameters has a filter for them.
+TEST_F(Viewer, FilterOfBottomPanelsHidesOtherParameters) {
+  const std::pair<const char*, const char*> parameters[] = {{"panel.lab", "lab.seed"},
+                                                            {"panel.techniques", "techniques.exposure"},
+                                                            {"panel.radiosity", "patches.axis"},
+                                                            {"panel.sampling", "sampling.points"},
+                                                            {"panel.trace", "trace.sample"}};
+  for (const auto& [panel, parameter] : parameters) {
+    const auto click_parameter = [&](const std::string& filter) {
+      return json::array({set("render.integrator", "bdpt"), click(panel), set("layout.bottom-filter", filter), click(parameter)});
+    };
+    EXPECT_NE(run(click_parameter("no such text")), 0) << panel;
+    const std::string name = parameter;
+    EXPECT_EQ(run(click_parameter(name.substr(name.find('.')))), 0) << panel;
+  }
+}
+
 TEST(Notices, WarningsOfAFileAreOneMessageAndAllAreInTheLog) {
   viewer::Notices notices;
   notices.add_warnings("a.glb", {"no texture 1", "no texture 2", "no texture 3"});

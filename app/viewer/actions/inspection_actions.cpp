@@ -22,7 +22,8 @@ void add_inspection_actions(ActionList& actions) {
   actions.add({.name = "view.pixel-values",
                .menu = "View",
                .label = "Pixel values",
-               .tooltip = "Shows radiance, displayed value, samples and standard error of the pixel under the pointer",
+               .tooltip = "Shows radiance, displayed value, samples and standard error of the pixel under the pointer. The window "
+                          "can be dragged",
                .shortcut = "i",
                .run = [](AppState& state) { state.viewport.show_pixel_values = !state.viewport.show_pixel_values; },
                .enabled = has_document,

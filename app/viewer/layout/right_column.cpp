@@ -1,7 +1,6 @@
 #include "viewer/layout/right_column.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "viewer/layout/layout_parts.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
@@ -34,26 +34,8 @@ void push_tab_style(float scale) {
 }
 void pop_tab_style() { ImGui::PopStyleVar(2); }
 
-// The text that selects parameters of the open panel.
-void draw_filter(AppState& state) {
-  std::string& filter = state.interface.panel_filter;
-  const bool has_text = !filter.empty();
-  const float button_width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(has_text ? -button_width - ImGui::GetStyle().ItemSpacing.x : -1);
-  ImGui::InputTextWithHint("##filter", "Filter parameters and objects", &filter);
-  state.ui.items.add("layout.filter");
-  if (const auto text = state.ui.items.take_request("layout.filter")) {
-    filter = *text;
-    state.ui.items.answer("");
-  }
-  if (!has_text) return;
-  ImGui::SameLine();
-  if (ImGui::Button("Clear")) filter.clear();
-  state.ui.items.add("layout.filter.clear");
-}
-
 void draw_panel(AppState& state, Panel& panel) {
-  draw_filter(state);
+  filter_box(state.ui, "layout.filter", "Filter parameters and objects", state.interface.panel_filter);
   ImGui::BeginChild("##panel");
   state.ui.filter = lower_case(state.interface.panel_filter);
   if (state.has_document())

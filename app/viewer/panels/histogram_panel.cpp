@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "render/document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/histogram_task.h"
+#include "viewer/viewport/aov_layer.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/plot.h"
 #include "viewer/widgets/value_text.h"
@@ -21,6 +23,7 @@ namespace {
 const std::array<ImVec4, 3> kChannelColors{
     {{0.89f, 0.29f, 0.24f, 1}, {0.22f, 0.68f, 0.33f, 1}, {0.27f, 0.5f, 0.93f, 1}}};
 constexpr std::array<const char*, 3> kChannelNames{"Red", "Green", "Blue"};
+constexpr const char* kBeauty = "beauty";
 
 double largest(const auto& counts) {
   return counts.empty() ? 0 : static_cast<double>(*std::ranges::max_element(counts));
@@ -119,6 +122,8 @@ class HistogramPanel final : public Panel {
     const float em = ImGui::GetFontSize();
     const float height = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("##values", {em * 17, 0});
+    labelled_value(state.ui, "Image", source_ == kBeauty ? "Beauty" : label_of_name(source_),
+                   "What the charts describe: the image, or the AOV that is shown instead of it");
     draw_values(state.ui, *statistics);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
@@ -138,7 +143,8 @@ class HistogramPanel final : public Panel {
   std::vector<WaitCondition> wait_conditions() override {
     const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
       if (!state.panels.is_open(*this)) return {.error = "the histogram panel is closed; click panel.histogram first"};
-      return {.done = task_.is_current()};
+      const bool is_shown = source_ == kBeauty ? state.viewport.aov_name.empty() : source_ == state.viewport.aov_name;
+      return {.done = is_shown && task_.is_current()};
     };
     return {{.name = "histogram", .check = check, .needs_frames = true}};
   }
@@ -146,20 +152,55 @@ class HistogramPanel final : public Panel {
   void report(AppState&, nlohmann::json& json) override {
     const ImageStatistics* s = task_.result();
     if (!s) return;
-    json["histogram"] = {{"pixels", s->pixels},           {"black", s->black},
-                         {"invalid", s->invalid},         {"above_white", s->above_white},
+    json["histogram"] = {{"source", source_},             {"pixels", s->pixels},
+                         {"black", s->black},             {"invalid", s->invalid},
+                         {"above_white", s->above_white},
                          {"clipped_low", s->clipped_low}, {"clipped_high", s->clipped_high}};
   }
 
   void update(AppState& state) override {
-    if (!state.panels.is_open(*this)) return;
-    const auto& display = state.document().display;
-    task_.update(state.task_context, state.viewport.frame, display.exposure, display.curve);
+    if (!state.panels.is_open(*this)) return task_.pause();
+    source_ = state.shows_aov() ? state.viewport.aov_name : kBeauty;
+    task_.update(state.task_context, state.shows_aov() ? input_of_aov(state) : input_of_image(state));
   }
 
   std::vector<Task*> tasks() override { return {&task_}; }
 
  private:
+  // Identifies an image of an AOV.
+  struct AovKey {
+    std::string name;
+    uint64_t version = 0;
+    uint32_t samples = 0;
+
+    friend bool operator==(const AovKey&, const AovKey&) = default;
+  };
+
+  static HistogramTask::Input input_of_image(const AppState& state) {
+    const auto& frame = state.viewport.frame;
+    const auto& display = state.document().display;
+    if (!frame) return {};
+    return {.pixels = frame->pixels, .width = frame->width, .exposure = display.exposure, .curve = display.curve};
+  }
+
+  // Colours of an AOV are shown as they are, radiance like the image.
+  HistogramTask::Input input_of_aov(const AppState& state) {
+    const AovImage& image = state.viewport.aov->image();
+    const AovKey key{image.name, image.version, image.samples};
+    if (!aov_pixels_ || key != aov_key_) {
+      aov_pixels_ = std::make_shared<const std::vector<Rgb>>(image.pixels);
+      aov_key_ = key;
+    }
+    HistogramTask::Input input{.pixels = aov_pixels_, .width = image.width};
+    if (!image.is_radiance) return input;
+    input.exposure = state.document().display.exposure;
+    input.curve = state.document().display.curve;
+    return input;
+  }
+
+  std::string source_ = kBeauty;  // name of the AOV, or that of the image
+  std::shared_ptr<const std::vector<Rgb>> aov_pixels_;  // of `aov_key_`
+  AovKey aov_key_;
   HistogramTask task_;
 };
 

@@ -13,6 +13,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
 
@@ -170,17 +171,22 @@ class LabPanel final : public Panel {
   }
 
   void draw_controls(AppState& state) {
-    if (const auto chosen = parameter_widget(state, experiment_choice(selected_)))
+    // The names are long, so that the list has the whole width.
+    if (const auto chosen = compact_choice(state, experiment_choice(selected_), -1))
       selected_ = std::get<std::string>(*chosen);
     const Experiment& e = experiment();
+    filtered_parameters(state, [&] { draw_parameters(state, e); });
+    action_button(state, kExportExperiment);
+    note(state.ui, e.description.summary + std::string("."));
+  }
+
+  void draw_parameters(AppState& state, const Experiment& e) {
     for (ParameterInfo p : e.parameters) {
       p.default_value = value_of(e, p);
       p.name = experiment_prefix(e) + p.name;
       if (auto value = parameter_widget(state, p)) values_[p.name] = std::move(*value);
     }
     if (const auto value = parameter_widget(state, describe(seed_))) assign(seed_, *value);
-    action_button(state, kExportExperiment);
-    note(state.ui, e.description.summary + std::string("."));
   }
 
   void draw_outcome(AppState& state) {

@@ -15,6 +15,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/scale_bar.h"
 #include "viewer/widgets/value_text.h"
@@ -136,7 +137,7 @@ class RadiosityPanel final : public Panel {
     const float em = ImGui::GetFontSize();
     const bool side_by_side = ImGui::GetContentRegionAvail().x >= kControlsBeside * em;
     if (side_by_side) ImGui::BeginChild("##controls", {kControlColumnWidth * em, 0});
-    parameter_widgets(state, settings_.all());
+    filtered_parameters(state, [&] { parameter_widgets(state, settings_.all()); });
     if (has_solution) draw_values(state, *visible->solution);
     if (side_by_side) {
       ImGui::EndChild();

@@ -15,6 +15,7 @@
 #include "viewer/tasks/pixel_samples_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/plot.h"
 #include "viewer/widgets/value_text.h"
@@ -362,6 +363,10 @@ class SamplingPanel final : public Panel {
       ImGui::Text("%d, %d", pixel->x, pixel->y);
       ImGui::PopFont();
     }
+    filtered_parameters(state, [&] { draw_parameters(state); });
+  }
+
+  void draw_parameters(AppState& state) {
     const auto infos = describe_settings(settings_);
     if (const auto value = parameter_widget(state, infos[0])) assign(settings_.samples, *value);
     if (const auto value = parameter_widget(state, infos[1])) settings_.x = std::get<std::string>(*value);

@@ -13,6 +13,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/surface_checks.h"
 #include "viewer/widgets/thumbnails.h"
@@ -193,7 +194,7 @@ class SurfacePanel final : public Panel {
       draw_values(state.ui, *measurement);
       ImGui::PopID();
     }
-    parameter_widgets(state, analysis.parameters.all());
+    filtered_parameters(state, [&] { parameter_widgets(state, analysis.parameters.all()); });
     action_button(state, "surface.pin");
     if (analysis.has_pinned()) action_button(state, "surface.unpin");
   }

@@ -17,6 +17,7 @@
 #include "viewer/tasks/technique_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/thumbnails.h"
 #include "viewer/widgets/value_text.h"
@@ -236,7 +237,7 @@ class TechniquesPanel final : public Panel {
 
   void draw_controls(AppState& state) {
     const UiContext& ui = state.ui;
-    parameter_widgets(state, task_.parameters.all());
+    filtered_parameters(state, [&] { parameter_widgets(state, task_.parameters.all()); });
     action_button(state, "techniques.export");
     action_button(state, "techniques.all");
     ImGui::PushFont(ui.fonts.small);

@@ -15,6 +15,7 @@
 #include "viewer/tasks/trace_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
 
@@ -67,14 +68,14 @@ class TracePanel final : public Panel {
           state.ui, kControlColumnWidth * em, [&] { draw_content(state); },
           [&] {
             draw_buttons(state);
-            parameter_widgets(state, task_.parameters.all());
+            draw_parameters(state);
           });
     // In a narrow panel the table is between the buttons and the parameters.
     draw_buttons(state);
     ImGui::BeginChild("##table", {0, std::max(ImGui::GetContentRegionAvail().y, 8 * em)});
     draw_content(state);
     ImGui::EndChild();
-    parameter_widgets(state, task_.parameters.all());
+    draw_parameters(state);
   }
 
   std::vector<ParameterInfo> parameters() const override { return describe_all(TraceTask::Parameters{}.all()); }
@@ -191,6 +192,10 @@ class TracePanel final : public Panel {
     ImGui::PushFont(state.ui.fonts.monospace);
     ImGui::Text("%d, %d", task_.pixel()->x, task_.pixel()->y);
     ImGui::PopFont();
+  }
+
+  void draw_parameters(AppState& state) {
+    filtered_parameters(state, [&] { parameter_widgets(state, task_.parameters.all()); });
   }
 
   void draw_content(AppState& state) {

@@ -172,7 +172,8 @@ std::string state_report(AppState& state) {
   if (state.shows_aov()) j["aov"] = aov_report(state.viewport.aov->image());
   if (state.viewport.show_pixel_values)
     j["pixel_values"] = {{"pointer", pixel_report(state, pixel_under_pointer(state))},
-                         {"pinned", pixel_report(state, state.viewport.pinned_pixel)}};
+                         {"pinned", pixel_report(state, state.viewport.pinned_pixel)},
+                         {"window", placement_json(state.viewport.pixel_readout->window().placement())}};
   for (const auto& panel : state.panels.all()) panel->report(state, j);
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -136,6 +136,7 @@ void AppState::show_parameter(const std::string& name) {
   if (!panels.reveal_parameter(*this, name)) return;
   interface.visible = true;
   interface.panel_filter.clear();
+  interface.bottom_filter.clear();
   ui.items.point_out(name);
 }
 

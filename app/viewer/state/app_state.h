@@ -112,7 +112,8 @@ struct InterfaceState {
   bool preferences_open = false;
   bool welcome_open = false;
   bool style_is_outdated = false;     // scale, font size or theme have changed
-  std::string panel_filter;           // of the open panel; empty: all parameters are shown
+  std::string panel_filter;           // of the right column; empty: all parameters are shown
+  std::string bottom_filter;          // of the bottom panel
   std::optional<Vec2> menu_position;  // where the context menu of the viewport is to be opened
   Vec2 menu_target{0};                // the position that this menu refers to
   bool popup_open = false;            // something that Escape closes covers the interface

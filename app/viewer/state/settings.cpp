@@ -21,6 +21,10 @@ Settings from_json(const json& j) {
   s.window.maximised = j.at("window").at("maximised").get<bool>();
   s.column_width = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
   s.bottom_panel_height = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
+  if (j.contains("pixel_values_offset")) {
+    const json& offset = j["pixel_values_offset"];
+    s.pixel_values_offset = glm::clamp(Vec2(offset.at(0).get<float>(), offset.at(1).get<float>()), Vec2(0), Vec2(16384));
+  }
   s.dark = j.at("dark").get<bool>();
   s.recent = j.at("recent").get<std::vector<std::string>>();
   s.folder = j.at("folder").get<std::string>();
@@ -39,23 +43,25 @@ Settings from_json(const json& j) {
 }
 
 json to_json(const Settings& s) {
-  return {{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
-          {"column", s.column_width},
-          {"drawer", s.bottom_panel_height},
-          {"dark", s.dark},
-          {"recent", s.recent},
-          {"folder", s.folder},
-          {"scale", s.ui_scale},
-          {"font_size", s.font_size},
-          {"show_welcome", s.show_welcome},
-          {"show_timing", s.show_details},
-          {"automatic_integrator", s.automatic_integrator},
-          {"threads", s.threads},
-          {"environment", s.environment},
-          {"snapshot_folder", s.snapshot_folder},
-          {"scene_folder", s.scene_folder},
-          {"environment_folder", s.environment_folder},
-          {"shortcuts", s.shortcuts}};
+  json j{{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
+         {"column", s.column_width},
+         {"drawer", s.bottom_panel_height},
+         {"dark", s.dark},
+         {"recent", s.recent},
+         {"folder", s.folder},
+         {"scale", s.ui_scale},
+         {"font_size", s.font_size},
+         {"show_welcome", s.show_welcome},
+         {"show_timing", s.show_details},
+         {"automatic_integrator", s.automatic_integrator},
+         {"threads", s.threads},
+         {"environment", s.environment},
+         {"snapshot_folder", s.snapshot_folder},
+         {"scene_folder", s.scene_folder},
+         {"environment_folder", s.environment_folder},
+         {"shortcuts", s.shortcuts}};
+  if (s.pixel_values_offset) j["pixel_values_offset"] = {s.pixel_values_offset->x, s.pixel_values_offset->y};
+  return j;
 }
 
 }  // namespace

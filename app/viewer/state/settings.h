@@ -2,9 +2,11 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
 #include "viewer/platform/window_geometry.h"
 
 namespace etendue::viewer {
@@ -17,6 +19,9 @@ struct Settings {
   WindowGeometry window;
   float column_width = 0;         // of the right column, units of the interface; 0 is the default width
   float bottom_panel_height = 0;  // units of the interface; 0 is the default height
+  // From the upper right corner of the viewport to that of the window with pixel values, to the left and down, units of
+  // the interface; none: its usual place.
+  std::optional<Vec2> pixel_values_offset;
   bool dark = true;
   std::vector<std::string> recent;  // newest first
   std::string folder;               // of the file that was last opened or saved

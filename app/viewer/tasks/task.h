@@ -30,6 +30,8 @@ class Task {
   virtual void reset(const TaskContext& context) = 0;
   // Whether there is a result that has not been taken yet. The main loop then draws a frame.
   virtual bool has_update() const = 0;
+  // Whether has_update will become true after some time without an event. The main loop then looks again soon.
+  virtual bool is_waiting() const { return false; }
   // Whether a file is being written. The main loop then draws frames until that has ended.
   virtual bool is_saving() const { return false; }
 };

@@ -12,7 +12,7 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kMinSamples = 8;
-constexpr float kBlack = 0.004f;       // displayed luminance
+constexpr float kBlack = 0.008f;       // displayed luminance, 23 of 255
 constexpr float kDarkestShare = 0.5f;  // of the surfaces that are visible
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "render/session.h"
 #include "viewer/state/app_state.h"
@@ -17,9 +18,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kReadoutWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                            ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr Vec2 kUsualOffset(8);  // from the upper right corner of the viewport, units of the interface
 
 PixelErrors errors_of(render::Session& session, uint64_t version) {
   const film::Film film = session.film_copy();
@@ -118,6 +117,33 @@ void draw_layer_row(const AppState& state, const std::optional<PixelValues>& poi
   ImGui::PopFont();
 }
 
+// The heads are plain text, so that the window can be dragged by them.
+void draw_heads(bool has_pinned) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const char* head : {"Pixel values", "Pointer", "Pinned"}) {
+    if (head == std::string_view("Pinned") && !has_pinned) continue;
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(head);
+  }
+}
+
+void draw_content(AppState& state, const std::optional<PixelValues>& pointer,
+                  const std::optional<PixelValues>& pinned) {
+  const float width = 11 * ImGui::GetFontSize();
+  if (ImGui::BeginTable("##values", pinned ? 3 : 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("##label");
+    ImGui::TableSetupColumn("Pointer", ImGuiTableColumnFlags_WidthFixed, width);
+    if (pinned) ImGui::TableSetupColumn("Pinned", ImGuiTableColumnFlags_WidthFixed, width);
+    draw_heads(pinned.has_value());
+    draw_rows(state.ui, pointer, pinned);
+    draw_layer_row(state, pointer, pinned);
+    ImGui::EndTable();
+  }
+  action_button(state, "view.pin-pixel");
+  ImGui::SameLine();
+  action_button(state, "view.unpin-pixel");
+}
+
 // A square around the pinned pixel.
 void draw_pin(const AppState& state, Vec2i pixel) {
   const Placement& image = state.viewport.image;
@@ -190,24 +216,15 @@ void draw_pixel_readout(AppState& state) {
   if (const auto pixel = pixel_under_pointer(state)) pointer = pixel_values(state, *pixel);
   if (viewport.pinned_pixel) pinned = pixel_values(state, *viewport.pinned_pixel);
   if (pinned) draw_pin(state, pinned->pixel);
-  const float em = ImGui::GetFontSize();
-  const Vec2 corner = viewport.region.corner + Vec2(viewport.region.size.x - 0.5f * em, 0.5f * em);
-  ImGui::SetNextWindowPos({corner.x, corner.y}, ImGuiCond_Always, {1, 0});
-  ImGui::SetNextWindowBgAlpha(0.88f);
-  ImGui::Begin("##pixel values", nullptr, kReadoutWindow);
-  if (ImGui::BeginTable("##values", pinned ? 3 : 2, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableSetupColumn("##label");
-    ImGui::TableSetupColumn("Pointer", ImGuiTableColumnFlags_WidthFixed, 11 * em);
-    if (pinned) ImGui::TableSetupColumn("Pinned", ImGuiTableColumnFlags_WidthFixed, 11 * em);
-    ImGui::TableHeadersRow();
-    draw_rows(state.ui, pointer, pinned);
-    draw_layer_row(state, pointer, pinned);
-    ImGui::EndTable();
-  }
-  action_button(state, "view.pin-pixel");
-  ImGui::SameLine();
-  action_button(state, "view.unpin-pixel");
-  ImGui::End();
+  const float scale = state.ui.scale;
+  MovableWindow& window = viewport.pixel_readout->window();
+  Vec2 offset = state.settings.pixel_values_offset.value_or(kUsualOffset) * scale;
+  const bool is_placed = window.draw("##pixel values", viewport.region, offset, kUsualOffset * scale,
+                                     [&] { draw_content(state, pointer, pinned); });
+  state.ui.items.add("pixel-values.window", window.placement());
+  if (offset / scale != state.settings.pixel_values_offset.value_or(kUsualOffset))
+    state.settings.pixel_values_offset = offset / scale;
+  if (is_placed) state.store_settings();
 }
 
 }  // namespace etendue::viewer

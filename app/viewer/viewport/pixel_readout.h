@@ -9,6 +9,7 @@
 #include "base/vec.h"
 #include "spectrum/rgb.h"
 #include "viewer/tasks/background_task.h"
+#include "viewer/viewport/movable_window.h"
 
 namespace etendue::render {
 class Session;
@@ -49,6 +50,7 @@ class PixelReadout {
   void update(bool visible);
   // The errors of the current document; null if they are not known yet.
   const PixelErrors* errors() const;
+  MovableWindow& window() { return window_; }
 
  private:
   bool is_outdated() const;
@@ -58,6 +60,7 @@ class PixelReadout {
   std::function<void()> wake_;
   BackgroundTask<PixelErrors> task_;
   PixelErrors errors_;
+  MovableWindow window_;
 };
 
 // The values of a pixel; nothing outside the image or before the first frame.

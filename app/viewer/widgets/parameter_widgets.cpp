@@ -34,13 +34,22 @@ size_t index_of_option(const ParameterInfo& info) {
   return static_cast<size_t>(std::ranges::find(info.options, current) - info.options.begin());
 }
 
+// The tooltip of a combo box names the selected option if it is too narrow for it.
+void describe_choice(UiContext& ui, const ParameterInfo& info, const std::string& preview) {
+  const float room = ImGui::GetItemRectSize().x - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+  if (ImGui::CalcTextSize(preview.c_str()).x <= room) return describe_item(ui, info);
+  ParameterInfo complete = info;
+  complete.doc += "\nSelected: " + preview;
+  describe_item(ui, complete);
+}
+
 WidgetEdit choice_widget(UiContext& ui, const ParameterInfo& info) {
   WidgetEdit edit;
   const size_t selected = index_of_option(info);
   const auto& current = std::get<std::string>(info.default_value);
   const std::string& preview = selected < info.options.size() ? info.option_labels[selected] : current;
   options_combo(ui, info, preview.c_str(), selected, edit);
-  describe_item(ui, info);
+  describe_choice(ui, info, preview);
   return edit;
 }
 
@@ -220,7 +229,7 @@ std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, 
     chosen = option_list(state.ui, info, selected);
     ImGui::EndCombo();
   } else {
-    describe_item(state.ui, info);
+    describe_choice(state.ui, info, info.option_labels[selected]);
   }
   ImGui::PopID();
   return chosen ? chosen : take_requested_value(state.ui, info);

@@ -10,17 +10,23 @@ namespace {
 
 using Ticks = std::vector<metrics::LogAxis::Tick>;
 
-// Ticks at multiples of 1, 2 or 5 times a power of ten.
-Ticks linear_ticks(double low, double high, int max_count) {
-  const double min_step = (high - low) / max_count;
-  const double power = std::pow(10.0, std::floor(std::log10(min_step)));
-  double step = 10 * power;
-  for (const double digit : {5.0, 2.0, 1.0})
-    if (digit * power >= min_step) step = digit * power;
-  Ticks ticks;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-    ticks.push_back({i * step, metrics::short_number(i * step + 0.0)});  // adding 0 turns -0 into 0
-  return ticks;
+float text_width(const ImFont* font, const std::string& text) {
+  return font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str()).x;
+}
+
+float widest_label(const ImFont* font, const Ticks& ticks) {
+  float widest = 0;
+  for (const auto& tick : ticks) widest = std::max(widest, text_width(font, tick.label));
+  return widest;
+}
+
+// The most ticks whose labels fit beside each other in this width.
+Ticks ticks_beside(const PlotAxis& axis, float width, const ImFont* font, float em) {
+  for (int count = static_cast<int>(width / (2.6f * em));; --count) {
+    Ticks ticks = axis.ticks(count);
+    const auto labels = std::ranges::count_if(ticks, [](const auto& tick) { return !tick.label.empty(); });
+    if (count <= 1 || static_cast<float>(labels) * (widest_label(font, ticks) + 0.6f * em) <= width) return ticks;
+  }
 }
 
 }  // namespace
@@ -31,7 +37,7 @@ double PlotAxis::position(double value) const {
 }
 
 Ticks PlotAxis::ticks(int max_labels) const {
-  if (!logarithmic) return linear_ticks(low, high, max_labels);
+  if (!logarithmic) return metrics::linear_ticks(low, high, std::max(max_labels, 1));
   auto ticks = metrics::LogAxis(low, high, 0, 1).ticks();
   const auto labels = std::ranges::count_if(ticks, [](const auto& tick) { return !tick.label.empty(); });
   if (labels <= max_labels) return ticks;
@@ -49,13 +55,10 @@ Plot::Plot(const UiContext& ui, ImDrawList* draw, const Placement& frame, const 
   const float em = ImGui::GetFontSize();
   const ImFont* font = ui.fonts.monospace;
   y_ticks_ = y_.ticks(static_cast<int>((frame.size.y - em * 2.8f) / (em * 1.6f)));
-  float left_margin = 0;
-  for (const auto& tick : y_ticks_)
-    left_margin = std::max(left_margin, font->CalcTextSizeA(font->FontSize, 1e6f, 0, tick.label.c_str()).x);
-  left_margin += em * 0.5f;
+  const float left_margin = widest_label(font, y_ticks_) + em * 0.5f;
   area_.corner = frame.corner + Vec2(left_margin, em * 1.5f);
   area_.size = glm::max(frame.size - Vec2(left_margin + em, em * 2.8f), Vec2(1));
-  x_ticks_ = x_.ticks(static_cast<int>(area_.size.x / (em * 2.6f)));
+  x_ticks_ = ticks_beside(x_, area_.size.x, font, em);
 }
 
 ImVec2 Plot::at(double x, double y) const {

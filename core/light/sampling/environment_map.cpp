@@ -265,8 +265,8 @@ EnvironmentMap::Value EnvironmentMap::value(const Vec3& direction, bool compensa
 
 Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
   if (!shows_backdrop()) return radiance(direction);
-  // The mean radiance is about that of a white surface.
-  constexpr float kBelow = 0.28f, kAbove = 0.5f;
+  // The mean radiance is about that of a white surface. 18 % of it, the middle grey of photography, is at the horizon.
+  constexpr float kBelow = 0.06f, kAbove = 0.3f;
   const float t = std::clamp(0.5f + 0.8f * direction.y, 0.0f, 1.0f);
   return Rgb(luminance(mean_) * mix(kBelow, kAbove, t * t * (3 - 2 * t)));
 }

@@ -42,7 +42,7 @@ class EnvironmentMap {
   };
   Value value(const Vec3& direction, bool compensated = false) const;
   // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above that is
-  // darker than a white surface in this environment. It emits no light.
+  // darker than a white or light grey surface in this environment, and brighter than a black one. It emits no light.
   Rgb seen_radiance(const Vec3& direction) const;
   const EmissionSpectrum* seen_spectrum() const { return shows_backdrop() ? nullptr : spectrum(); }
   bool shows_backdrop() const { return !environment_.visible && environment_.backdrop; }

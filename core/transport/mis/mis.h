@@ -61,5 +61,5 @@ inline float known_factor(const ConnectionWeight& weight) { return weight.factor
 template <>
 struct etendue::Options<etendue::transport::MisHeuristic> {
   static constexpr std::array<etendue::Option, 3> kOptions{
-      {{"balance", "Balance"}, {"power", "Power (beta = 2)"}, {"maximum", "Maximum"}}};
+      {{"balance", "Balance"}, {"power", "Power, exponent 2"}, {"maximum", "Maximum"}}};
 };

@@ -153,6 +153,38 @@ std::vector<std::string> labels(double low, double high) {
   return found;
 }
 
+// The labels of the slopes -1/2 and -1, as rectangles of 7 pixels per letter, contain no point of a curve, also where curves
+// run along the guides.
+TEST(SvgChart, LabelsOfSlopesDoNotTouchCurves) {
+  for (const double slope : {-0.3, -0.45, -0.5, -0.7, -1.0, -1.4})
+    for (const bool embedded : {false, true}) {
+      const std::vector methods{power_law("a", 0.1, slope), power_law("b", 0.11, -0.5), power_law("c", 0.08, -1)};
+      ChartOptions options;
+      options.embedded = embedded;
+      const Drawing drawing = convergence_chart(methods, options);
+      size_t labels = 0;
+      for (const auto& shape : drawing.shapes) {
+        const auto* text = std::get_if<Text>(&shape);
+        if (!text || (text->text != "-1/2" && text->text != "-1")) continue;
+        ++labels;
+        const double right = text->at.x + 7 * static_cast<double>(text->text.size());
+        EXPECT_LE(right, drawing.width);
+        for (const auto& other : drawing.shapes) {
+          const auto* line = std::get_if<Polyline>(&other);
+          if (!line || line->width != 2) continue;
+          for (size_t i = 1; i < line->points.size(); ++i)
+            for (double t = 0; t <= 1; t += 0.02) {
+              const double x = std::lerp(line->points[i - 1].x, line->points[i].x, t);
+              const double y = std::lerp(line->points[i - 1].y, line->points[i].y, t);
+              const bool inside = x > text->at.x && x < right && y > text->at.y - 9 && y < text->at.y;
+              ASSERT_FALSE(inside) << text->text << " at slope " << slope << (embedded ? ", embedded" : "");
+            }
+        }
+      }
+      EXPECT_EQ(labels, 2u);
+    }
+}
+
 TEST(LogAxis, TicksAreRoundNumbers) {
   using Labels = std::vector<std::string>;
   EXPECT_EQ(labels(0.008, 130), (Labels{"0.01", "0.1", "1", "10", "100"}));

@@ -24,6 +24,14 @@ TEST(LinearTicks, LabelsDistinguishNeighbours) {
   }
 }
 
+TEST(LinearTicks, AreAtMostOneMoreThanRequested) {
+  for (const int most : {1, 2, 3, 5, 9, 20}) {
+    const auto ticks = linear_ticks(-0.3, 1.7, most);
+    EXPECT_LE(ticks.size(), static_cast<size_t>(most) + 1);
+    EXPECT_GE(5 * ticks.size(), static_cast<size_t>(most)) << "steps are at most 2.5 times as long as necessary";
+  }
+}
+
 TEST(LinearTicks, RoundValuesHaveShortLabels) {
   const auto ticks = linear_ticks(0, 1);
   EXPECT_EQ(ticks.front().label, "0");
