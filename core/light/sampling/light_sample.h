@@ -4,6 +4,7 @@
 
 #include "base/parameter.h"
 #include "base/vectorize.h"
+#include "light/sampling/light_receiver.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -28,7 +29,10 @@ struct LightQueries {
   Vec3LanesView from;
   const float *choice, *u0, *u1;
   size_t count;
-  const float* times = nullptr;  // 0 at the opening of the shutter, 1 at its closing; null if no light moves
+  const float* times = nullptr;           // 0 at the opening of the shutter, 1 at its closing; null if no light moves
+  const PackedNormal* normals = nullptr;  // of the receivers; null if they have none
+
+  LightReceiver receiver(size_t i) const { return {from[i], normals ? normals[i] : PackedNormal()}; }
 };
 
 // How lights are chosen for a receiver.

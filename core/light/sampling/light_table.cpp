@@ -72,7 +72,7 @@ void LightTable::sample(const LightQueries& queries, LightSample* samples, Light
   const LightSelector& lights = selector(sampling);
   if (lights.uses_tree(sampling.strategy))
     sample_chosen(queries, samples, sampling,
-                  [&](size_t i) { return lights.choose_by_tree(queries.from[i], queries.choice[i]); });
+                  [&](size_t i) { return lights.choose_by_tree(queries.receiver(i), queries.choice[i]); });
   else
     sample_chosen(queries, samples, sampling, [&](size_t i) { return lights.choose_by_power(queries.choice[i]); });
 }
@@ -191,10 +191,10 @@ bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling samp
   return sample.pdf > 0;
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
+float LightTable::pdf_triangle(uint32_t light, const LightReceiver& from, const Vec3& at, float time,
                                LightSampling sampling) const {
   if (empty(sampling) || light >= primitives_.size()) return 0;
-  const float pdf = primitives_.pdf(light, from, at, time, sampling.strategy != LightStrategy::emission_pdf);
+  const float pdf = primitives_.pdf(light, from.position, at, time, sampling.strategy != LightStrategy::emission_pdf);
   return pdf > 0 ? probability(light, from, sampling) * pdf : 0;
 }
 

@@ -32,6 +32,8 @@ class LightTable {
 
   // Without lights, or without any power.
   bool empty() const { return selector_.empty(); }
+  // Whether the normals of receivers change the choice of a light.
+  bool uses_normals(LightSampling sampling) const { return selector(sampling).uses_tree(sampling.strategy); }
   // Whether there is nothing to sample.
   bool empty(LightSampling sampling) const { return selector(sampling).empty(); }
   size_t size() const { return selector_.size(); }
@@ -59,12 +61,13 @@ class LightTable {
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
   // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are
   // those of the light's source.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightSampling sampling) const;
+  float pdf_triangle(uint32_t light, const LightReceiver& from, const Vec3& at, float time,
+                     LightSampling sampling) const;
   float pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The same, and the radiance of the environment from this direction.
   EnvironmentMap::Value environment_value(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.
-  float probability(uint32_t light, const Vec3& from, LightSampling sampling) const {
+  float probability(uint32_t light, const LightReceiver& from, LightSampling sampling) const {
     return selector(sampling).probability(light, from, sampling.strategy);
   }
 

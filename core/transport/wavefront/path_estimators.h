@@ -76,7 +76,7 @@ float emission_weight(const PathState<Color>& path, const scene::CompiledScene& 
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
   return mis_weight(*combination, path.pdf,
-                    scene.lights().pdf_triangle(light, path.from, point.position, path.time, sampling));
+                    scene.lights().pdf_triangle(light, path.receiver(), point.position, path.time, sampling));
 }
 
 // The throughput of a path that ends at an emitter or the lens, restricted to the selected path classes.
@@ -295,9 +295,10 @@ bool survives_roulette(PathWavefront<M>& paths, int hit, PathState<typename M::C
 
 // Records the scattering event that the path continues with.
 template <class Color>
-void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
+void record_scattering(PathState<Color>& path, const LightReceiver& from, const LobeSample<Color>& s) {
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
-  path.from = from;
+  path.from = from.position;
+  path.normal = from.normal;
   path.all_specular = path.all_specular && s.delta;
 }
 
@@ -344,7 +345,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
     }
     if (recording) [[unlikely]]
       record_throughput(paths, i, path.throughput);
-    record_scattering(path, paths.point(i).position, s);
+    record_scattering(path, paths.receiver(i), s);
     record(i, s);
     paths.continue_path(i, s.wi);
   }

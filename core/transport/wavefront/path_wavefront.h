@@ -192,7 +192,9 @@ class PathWavefront {
 
   // One light sample per current hit, by a strategy that selects a single light.
   std::span<const LightSample> sample_lights(LightSampling sampling) {
-    scene_->lights().sample(draw_lights(), light_samples_.data(), sampling);
+    LightQueries queries = draw_lights();
+    if (scene_->lights().uses_normals(sampling)) queries.normals = find_normals();
+    scene_->lights().sample(queries, light_samples_.data(), sampling);
     return light_samples_;
   }
   // One sample of the given source of the light table per current hit; every source but the first has a random number
@@ -201,6 +203,13 @@ class PathWavefront {
     select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
     scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
+  }
+
+  // A current hit as a receiver of light.
+  LightReceiver receiver(int hit) const {
+    const scene::SurfacePoint& p = point(hit);
+    if (p.in_volume || !p.material->is_opaque) return p.position;
+    return {p.position, PackedNormal(glm::dot(p.ng, wo(hit)) < 0 ? -p.shading.z : p.shading.z)};
   }
 
   // The paths that left the scene in the last `trace`.
@@ -355,6 +364,11 @@ class PathWavefront {
             times_of_arrivals()};
   }
 
+  const PackedNormal* find_normals() {
+    for (int i = 0; i < hit_count_; ++i) normals_[static_cast<size_t>(i)] = receiver(i).normal;
+    return normals_.data();
+  }
+
   // Sets the seeds of stochastic opacity of rays, if the scene has any.
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
@@ -416,6 +430,7 @@ class PathWavefront {
   SampleTable random_;
   DimensionSet drawn_ = 0;
   Vec3Lanes<kHitsAtATime> cosine_directions_, positions_;
+  std::array<PackedNormal, kHitsAtATime> normals_;  // of receivers of light
   std::array<LightSample, kHitsAtATime> light_samples_;
   // Per miss.
   PerPath<uint16_t> misses_;
