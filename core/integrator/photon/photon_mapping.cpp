@@ -102,7 +102,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                       Scale::logarithmic};
   Number<float> guided_photons{"guided-photons",
                                "Caustic photons towards specular objects",
-                               0.9f,
+                               0,
                                {0, 0.95f},
                                "Share of the photons of the caustics map that leave lights towards mirrors, glass and "
                                "smooth layers. Raising it reduces the noise of caustics of small objects"};

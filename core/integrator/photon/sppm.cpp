@@ -100,7 +100,7 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
   Number<float> guided_photons{
       "guided-photons",
       "Photons towards specular objects",
-      0.25f,
+      0,
       {0, 0.95f},
       "Share of the photons that leave lights towards mirrors, glass and smooth layers. Raising "
       "it reduces the noise of caustics of small objects and increases that of other light"};
