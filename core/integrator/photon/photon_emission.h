@@ -14,9 +14,6 @@ class PhotonEmission {
   // numbers come from the sampler, they must be traced while the sampler has tables for that sample.
   PhotonEmission(const PhotonPlan& plan, uint32_t sample) { begin(plan, sample); }
 
-  // Emits a part of the photons towards specular objects from the next emission on (PhotonPlan::guided_share).
-  void guide(const RenderContext& context) { guide_ = EmissionGuide(context, plan_.guided_share); }
-
   // Starts another emission.
   void begin(const PhotonPlan& plan, uint32_t sample) {
     plan_ = plan;
@@ -47,7 +44,7 @@ class PhotonEmission {
       task < kPieces ? map_.build_piece(task) : volume_map_.build_piece(task - kPieces);
     else
       rays = transport::with_scattering_model(*context.model, [&]<class M>(M) {
-        return trace_photons<M>(context, sample_, plan_, task, task_context, guide_,
+        return trace_photons<M>(context, sample_, plan_, task, task_context,
                                 photons_by_task_[static_cast<size_t>(task)]);
       });
     done = rays.has_value();
@@ -93,7 +90,6 @@ class PhotonEmission {
   }
 
   PhotonPlan plan_;
-  EmissionGuide guide_;
   uint32_t sample_ = 0;
   std::vector<StoredPhotons> photons_by_task_;
   std::vector<char> is_traced_;

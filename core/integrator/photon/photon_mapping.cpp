@@ -100,12 +100,6 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                       "Photons emitted for the global map. Raising it reduces bias and noise and needs more memory",
                       "",
                       Scale::logarithmic};
-  Number<float> guided_photons{"guided-photons",
-                               "Caustic photons towards specular objects",
-                               0,
-                               {0, 0.95f},
-                               "Share of the photons of the caustics map that leave lights towards mirrors, glass and "
-                               "smooth layers. Raising it reduces the noise of caustics of small objects"};
   Number<int> caustic_photons{
       "caustic-photons",
       "Caustic photons",
@@ -161,8 +155,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
-    return std::tie(max_depth, mode, photons, caustic_photons, guided_photons, nearest, beta, radius, kernel, roughness,
-                    gather, near, renew, roulette_start);
+    return std::tie(max_depth, mode, photons, caustic_photons, nearest, beta, radius, kernel, roughness, gather, near,
+                    renew, roulette_start);
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
@@ -188,7 +182,6 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
     plan.min_length = caustics ? 2 : 1;
     if (scattering && !caustics) plan.min_volume_length = is_direct() ? 1 : 2;
     plan.max_length = std::max(0, max_depth - 1);
-    if (caustics) plan.guided_share = guided_photons;
     return plan;
   }
 
@@ -209,9 +202,7 @@ class PhotonMapping::Maps final : public RenderState {
         auto& emission = emissions_[half][caustics];
         const PhotonPlan plan = integrator.plan(caustics, context.model->scattering);
         if (can_reuse) emission = previous->emissions_[half][caustics];
-        if (emission && emission->plan() == plan) continue;
-        emission = std::make_shared<PhotonEmission>(plan, half);
-        emission->guide(context);
+        if (!emission || !(emission->plan() == plan)) emission = std::make_shared<PhotonEmission>(plan, half);
       }
   }
 

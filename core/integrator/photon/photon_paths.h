@@ -31,7 +31,6 @@ struct PhotonPlan {
   int min_length = 1;         // number of edges at which photons are stored on surfaces
   int min_volume_length = 0;  // the same for collisions in media; 0: none are stored
   int max_length = 0;         // 0: no limit
-  float guided_share = 0;     // of the photons, emitted towards specular objects
 
   // `from_medium`: the path starts in a medium that emits light.
   bool stores_on_surfaces(int length, bool from_medium) const { return length + (from_medium ? 1 : 0) >= min_length; }
@@ -116,8 +115,7 @@ void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, tra
 // Traces the photons of one task of a sample. Returns the number of rays, or nothing if it was cancelled.
 template <class M>
 std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sample, const PhotonPlan& plan, int task,
-                                      const TaskContext& task_context, const EmissionGuide& guide,
-                                      StoredPhotons& photons) {
+                                      const TaskContext& task_context, StoredPhotons& photons) {
   using namespace transport;
   static thread_local const auto subpaths = std::make_unique<LightSubpaths<M>>();
   static thread_local StoredPhotons stored;
@@ -127,7 +125,6 @@ std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sam
   const int first = task * PhotonPlan::kTask;
   constexpr uint32_t kCausticSeed = 1U << 31;  // makes paths of both maps independent
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCausticSeed : 0);
-  subpaths->guide_by(guide.empty() ? nullptr : &guide);
   subpaths->launch(
       context, sample, std::min(PhotonPlan::kTask, plan.photons - first), task_context, paths,
       [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; },

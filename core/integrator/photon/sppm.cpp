@@ -97,13 +97,6 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
                               "diameter. Raising it reduces noise and blurs light",
                               "",
                               Scale::logarithmic};
-  Number<float> guided_photons{
-      "guided-photons",
-      "Photons towards specular objects",
-      0,
-      {0, 0.95f},
-      "Share of the photons that leave lights towards mirrors, glass and smooth layers. Raising "
-      "it reduces the noise of caustics of small objects and increases that of other light"};
   Toggle connect{"connect", "Sample lights directly", true,
                  "Estimates direct light with shadow rays; otherwise it comes from the photon map, which is "
                  "noisier"};
@@ -122,8 +115,7 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
   using IntegratorBase::at_max_depth;
 
   auto parameters() {
-    return std::tie(max_depth, photons, guided_photons, alpha, radius, volume_radius, connect, roughness,
-                    roulette_start);
+    return std::tie(max_depth, photons, alpha, radius, volume_radius, connect, roughness, roulette_start);
   }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
@@ -136,7 +128,6 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     plan.min_length = connect ? 2 : 1;
     if (scattering) plan.min_volume_length = plan.min_length;
     plan.max_length = std::max(0, max_depth - 1);
-    plan.guided_share = guided_photons;
     return plan;
   }
 };
@@ -149,7 +140,6 @@ class State final : public RenderState {
         context_(context),
         footprint_(*context.camera, context.width, context.height),
         emission_(integrator.plan(context.width * context.height, context.model->scattering), 0) {
-    emission_.guide(context);
     if (context.model->classes) join_.emplace(*context.model->paths);
   }
 

@@ -4,7 +4,6 @@
 // scattering alone. `flux` is the flux at the start, in watts.
 #pragma once
 #include "integrator/shared/camera_paths.h"
-#include "integrator/shared/emission_guide.h"
 #include "integrator/shared/emission_starts.h"
 #include "transport/wavefront/path_estimators.h"
 
@@ -41,10 +40,6 @@ class LightSubpaths {
         return {};
     }
   };
-
-  // Directions towards specular objects for the subpaths that are launched from here on; null for none. The densities of
-  // emission are then not those of the light table.
-  void guide_by(const EmissionGuide* guide) { guide_ = guide; }
 
   // Launches `count` subpaths of a sample; number_of(i) is the index of the i-th among all subpaths of the sample. No
   // ray has been traced on return. on_start(start, lens sample) is called for each subpath, including those of zero
@@ -90,9 +85,6 @@ class LightSubpaths {
         start.path = i;
         start.point = nullptr;
         start.emission = {};
-        if (guide_)
-          guide_random_[static_cast<size_t>(size - 1)] = {to_unit_float(mix_bits(paths.opacity_seed(i) + 0x85ebca6bU)),
-                                                          pair(i, kDirection)};
         const EmissionRandom numbers(at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
                                      cosine_directions_[static_cast<size_t>(i - first)]);
         if constexpr (M::kScattering)
@@ -163,25 +155,8 @@ class LightSubpaths {
     for (int k = 0; k < size; ++k) compute_ray(scene, k);
   }
 
-  // Applies the guide to a start on a light at a place.
-  void redirect(const scene::CompiledScene& scene, int k) {
-    Start& start = starts_[static_cast<size_t>(k)];
-    Emission& e = start.emission;
-    const auto& [choice, u] = guide_random_[static_cast<size_t>(k)];
-    if (e.density.infinite || !(e.weight > 0)) return;
-    if (start.point) {
-      if (start.point->instance->cosine_exponent != 0) return;
-      const Vec3 out = start.point->front ? start.point->ng : -start.point->ng;
-      guide_->redirect(&out, choice, u, e);
-    } else if (e.kind == LightKind::placed) {
-      guide_->redirect(nullptr, choice, u, e);
-      e.radiance = scene.lights().emitted_by_placed(e.light, e.direction, 0, e.time);
-    }
-  }
-
   // Emission and ray of a start.
   void compute_ray(const scene::CompiledScene& scene, int k) {
-    if (guide_) redirect(scene, k);
     Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
     start.emitted = e.weight > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
@@ -214,12 +189,6 @@ class LightSubpaths {
 
   static constexpr int kBatch = 64;
 
-  const EmissionGuide* guide_ = nullptr;
-  struct GuideRandom {
-    float choice;
-    Vec2 u;
-  };
-  std::array<GuideRandom, kBatch> guide_random_;
   std::array<Start, kBatch> starts_;
   std::array<scene::SurfacePoint, kBatch> points_;
   Vec3Lanes<kBatch> cosine_directions_;
