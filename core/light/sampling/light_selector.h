@@ -39,7 +39,8 @@ class LightSelector {
 
   // Whether the strategy chooses by the tree in this scene.
   bool uses_tree(LightStrategy strategy) const {
-    return strategy == LightStrategy::tree || (strategy == LightStrategy::automatic && tree_pays_);
+    const bool decides = strategy == LightStrategy::automatic || strategy == LightStrategy::emission_auto;
+    return strategy == LightStrategy::tree || (decides && tree_pays_);
   }
   // A light with its probability, which is 0 if no light was found.
   Choice choose_by_power(float u) const { return by_power_.sample(u); }

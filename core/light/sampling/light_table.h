@@ -70,6 +70,10 @@ class LightTable {
   float probability(uint32_t light, const LightReceiver& from, LightSampling sampling) const {
     return selector(sampling).probability(light, from, sampling.strategy);
   }
+  // The probability of a light as the start of an emitted ray.
+  float emission_probability(uint32_t light) const { return selector_.probability_by_power(light); }
+  // The number of the environment, if it is a light.
+  uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
   // Whether there are lights at points (point lights, spot lights).
   bool has_point_lights() const { return has_point_lights_; }
@@ -142,7 +146,6 @@ class LightTable {
   const LightSelector& selector(LightSampling sampling) const {
     return is_compensated(sampling) ? compensated_selector_ : selector_;
   }
-  uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
   AreaLightPrimitives primitives_;
   std::shared_ptr<const std::vector<PlacedLight>> placed_;

@@ -237,11 +237,12 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
   });
 }
 
-// Next event estimation with one light sample per hit, distributed as the starts of light subpaths.
+// Next event estimation with one light sample per hit, by a strategy that selects a single light.
 template <class M, class Weigh, class Selected = EveryHit>
-void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
+void add_direct_light_weighted(PathWavefront<M>& paths, LightStrategy strategy, Shadows shadows, Weigh&& weigh,
+                               const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(strategy), shadows, weigh, selected);
 }
 
 // The same with one sample on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
