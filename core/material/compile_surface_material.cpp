@@ -88,6 +88,7 @@ void SurfaceMaterial::classify_model() {
   description.model->add_lobes(reflectance(base_factor), lobes);
   if (const auto* lambert = lobe_set(lobes).single_lobe_as<Lambert<Rgb>>()) {
     is_lambertian = true;
+    is_opaque = true;
     uses_standard_lobes = true;
     const Rgb model_albedo = ratio(lambert->albedo, reflectance(base_factor));
     base_factor *= Vec4(model_albedo.r, model_albedo.g, model_albedo.b, 1);
@@ -106,6 +107,7 @@ void SurfaceMaterial::classify_gltf_surface() {
                                      m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
   is_lambertian =
       m.unlit || (uses_standard_lobes && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
+  is_opaque = m.unlit || (m.transmission == 0 && m.diffuse_transmission == 0);
   has_delta_lobes =
       !is_lambertian && (gltf_microfacets(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
                          (m.clearcoat > 0 && gltf_microfacets(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));

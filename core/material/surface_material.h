@@ -47,6 +47,7 @@ struct SurfaceMaterial {
   bool uses_standard_lobes = false;  // only lobes of StandardLobes (lobe_set.h)
   bool has_delta_lobes = false;      // a mirror, clear glass, or a smooth layer
   bool is_anisotropic = false;       // f depends on the azimuth
+  bool is_opaque = false;            // certainly no lobe transmits light
 
   // Which inputs shading needs.
   bool has_normal_map = false;       // a normal map of the surface or of its clear coat

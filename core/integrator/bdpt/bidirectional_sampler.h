@@ -169,7 +169,7 @@ class BidirectionalSampler {
         transport::add_emission_weighted(subpaths_.camera, [&](int i) { return subpaths_.emission_weight(i); });
         if (options_->too_long(subpaths_.camera.length() + 1)) continue;
         transport::add_direct_light_weighted(
-            subpaths_.camera, transport::Shadows::cast,
+            subpaths_.camera, options_->lights, transport::Shadows::cast,
             [&](int i, const LightSample& light, const auto& value) {
               return subpaths_.light_sample_weight(i, light, value.pdf);
             },

@@ -21,6 +21,9 @@ struct BidirectionalOptions {
   bool reuse = true;  // connect all pairs of vertices
   std::optional<transport::ClassJoin> classes;
   const MergeMap* merges = nullptr;  // vertices of light subpaths that camera subpaths are merged with; null: none
+  // How light samples (s = 1) are chosen, with the points of emission. Not by the tree if vertices are merged: stored
+  // vertices have no room for the ratio of densities.
+  LightStrategy lights = LightStrategy::emission_auto;
 
   bool too_long(int edges) const { return max_depth > 0 && edges > max_depth; }
   bool contributes(int s, int t) const { return !excluded.contains(s, t) && (shown.empty() || shown.contains(s, t)); }
@@ -55,6 +58,7 @@ class BidirectionalSubpaths {
     techniques_ = techniques;
     pixels_ = pixels;
     merge_density_ = options.merges ? options.merges->density() : 0;
+    chooses_by_tree_ = lights().uses_normals(options.lights);
   }
 
   // Without reuse, each path is one connection of the ends of two subpaths. The numbers of vertices are sampled from
@@ -102,6 +106,7 @@ class BidirectionalSubpaths {
 
   void start_light(const Start& start) {
     const Emission& e = start.emission;
+    start_lights_[static_cast<size_t>(start.path)] = e.light;
     MisChain& chain = light_chains_[static_cast<size_t>(start.path)];
     chain.start(e.density.first, !e.density.delta, e.density.infinite);
     chain.sample_direction(e.density.second, start.point ? std::abs(glm::dot(start.point->ng, e.direction)) : 1.0f);
@@ -119,7 +124,10 @@ class BidirectionalSubpaths {
   }
 
   // Computes the MIS quantities of the current hits.
-  void add_light_hits() { add_hits(light, light_chains_, light_vertices_, light_rule()); }
+  void add_light_hits() {
+    add_hits(light, light_chains_, light_vertices_, light_rule());
+    if (chooses_by_tree_ && light.length() == 1) weigh_light_samples_of_light_hits();
+  }
   void add_camera_hits() {
     if (camera.length() == 1) set_lens_directions();
     add_hits(camera, camera_chains_, camera_vertices_, camera_rule());
@@ -219,8 +227,9 @@ class BidirectionalSubpaths {
     if (light_index == scene::InstanceData::kNotALight) return weight(path, 0, t, 0, 0);
     const auto d = context_->scene->lights().emission_density(light_index, glm::dot(point.ng, camera.wo(i)),
                                                               camera.state_at(i).time);
-    return weight(path, 0, t, 0,
-                  camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0, false));
+    MisVertex on_light = camera_vertices_[static_cast<size_t>(i)];
+    on_light.connection *= light_sample_power(light_index, camera.state_at(i), on_light);
+    return weight(path, 0, t, 0, camera_sum(path, on_light, t - 1, d.first, d.second, 0, false));
   }
 
   // The camera subpath left the scene: s = 0.
@@ -237,7 +246,8 @@ class BidirectionalSubpaths {
       const bool seen = context_->camera->sees_environment() && is_enabled(1, 1);
       return weight(path, 0, t, 0, seen && density > 0 ? camera_rule().ratio(d.first / density) : 0.0f);
     }
-    const MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule(), camera.survival(path));
+    MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule(), camera.survival(path));
+    at_infinity.connection *= light_sample_power(lights().environment_number(), camera.missed_path(i), at_infinity);
     return weight(path, 0, t, 0, camera_sum(path, at_infinity, t - 1, d.first, d.second, 0, false));
   }
 
@@ -260,7 +270,7 @@ class BidirectionalSubpaths {
     const float reverse_pdf = d.second * (d.infinite ? cos_point : cos_point / sqr(sample.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, reverse_pdf,
                                      camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1, is_on_surface(point));
-    return weight_of_connection(path, 1, t, hits, cameras) / sample.pdf;
+    return weight_of_connection(path, 1, t, hits, relative_to_light_sample(cameras, sample)) / sample.pdf;
   }
 
   // The connection of light vertex y and the current camera hit i. The densities are those of y as sampled from i and
@@ -300,6 +310,34 @@ class BidirectionalSubpaths {
   template <class T>
   using PerPath = std::array<T, kPaths>;
   using PerHit = std::array<MisVertex, kHitsAtATime>;
+
+  // ---- The choice of the light by light samples (s = 1), relative to that by light subpaths: r in mis_chain.h.
+
+  const LightTable& lights() const { return context_->scene->lights(); }
+  float choice_ratio(uint32_t light_index, const LightReceiver& from) const {
+    const float by_emission = lights().emission_probability(light_index);
+    return by_emission > 0 ? lights().probability(light_index, from, options_->lights) / by_emission : 1;
+  }
+  void weigh_light_samples_of_light_hits() {
+    for (int i = 0; i < light.hit_count(); ++i) {
+      if (!light.bsdf(i).has_non_delta_lobe()) continue;
+      const scene::SurfacePoint& point = light.point(i);
+      const LightReceiver receiver(point.position, transport::receiver_normal(point, light.wo(i)));
+      const uint32_t light_index = start_lights_[static_cast<size_t>(light.path_at(i))];
+      light_vertices_[static_cast<size_t>(i)].connection *= light_rule().power(choice_ratio(light_index, receiver));
+    }
+  }
+  // r^beta of a camera subpath that has hit a light at `vertex`. A light in direct view is sampled by light subpaths.
+  float light_sample_power(uint32_t light_index, const transport::PathState<Color>& path,
+                           const MisVertex& vertex) const {
+    if (!chooses_by_tree_ || camera.length() == 1 || vertex.connection == 0) return 1;
+    return camera_rule().power(choice_ratio(light_index, path.receiver()));
+  }
+  // The sum of the camera side of a light sample.
+  float relative_to_light_sample(float sum, const LightSample& sample) const {
+    if (!chooses_by_tree_) return sum;
+    return MisRule::product(sum, camera_rule().power(lights().emission_probability(sample.light) / sample.choice));
+  }
 
   const Technique& technique(int path) const { return techniques_[static_cast<size_t>(path)]; }
   MisRule light_rule() const { return {options_->heuristic, MisRule::Side::light, merge_density_}; }
@@ -408,6 +446,8 @@ class BidirectionalSubpaths {
   PerPath<float> inverse_probability_;                // of the sampled technique
   float pixels_ = 1;                                  // area of the image in pixels
   float merge_density_ = 0;                           // 0 if vertices are not merged
+  bool chooses_by_tree_ = false;                      // light samples use the light tree
+  PerPath<uint32_t> start_lights_;                    // of the light subpaths
   VertexPool<M> pool_;
   PerPath<const Vertex*> last_light_vertex_;
   PerPath<MisChain> light_chains_, camera_chains_;

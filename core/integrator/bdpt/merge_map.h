@@ -34,7 +34,7 @@ struct MergeVertex {
     transport::MisVertex vertex;
     vertex.pdf = pdf;
     vertex.weighted_sum = weighted_sum;
-    vertex.connectible = connectible;
+    vertex.connection = connectible ? 1 : 0;
     return vertex;
   }
 };

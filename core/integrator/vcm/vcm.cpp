@@ -93,7 +93,8 @@ class VcmState final : public RenderState {
                  .max_depth = integrator.max_depth,
                  .roulette_start = integrator.roulette_start,
                  .classes = class_join(*context.model),
-                 .merges = &map_} {}
+                 .merges = &map_,
+                 .lights = LightStrategy::emission_pdf} {}
 
   std::vector<Phase> phases(uint32_t sample) override {
     const double shrunk = std::sqrt(region_ratio(double{integrator_.alpha}, sample / film::kHalfBuffers));
@@ -180,7 +181,7 @@ class VcmState final : public RenderState {
       v.wo = light.wo(i);
       v.pdf = mis.pdf;
       v.weighted_sum = mis.weighted_sum;
-      v.connectible = mis.connectible;
+      v.connectible = mis.connection > 0;
       v.length = static_cast<uint16_t>(std::min(light.length(), 65535));
       found.push_back(v);
     }

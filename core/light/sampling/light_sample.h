@@ -4,6 +4,7 @@
 
 #include "base/parameter.h"
 #include "base/vectorize.h"
+#include "light/sampling/light_receiver.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -20,6 +21,7 @@ struct LightSample {
   bool textured = false;       // `radiance` is the mean of the triangle's texture; the scene has the value at the point
   Rgb radiance{0};             // unoccluded, cd/m^2; of a delta light irradiance on a facing surface, lx
   uint32_t light = 0;
+  float choice = 0;     // the probability with which the light was chosen
   Vec2 barycentric{0};  // weights of vertices 1 and 2 of a triangle; surface coordinates of a sphere or disk
 };
 
@@ -28,7 +30,10 @@ struct LightQueries {
   Vec3LanesView from;
   const float *choice, *u0, *u1;
   size_t count;
-  const float* times = nullptr;  // 0 at the opening of the shutter, 1 at its closing; null if no light moves
+  const float* times = nullptr;           // 0 at the opening of the shutter, 1 at its closing; null if no light moves
+  const PackedNormal* normals = nullptr;  // of the receivers; null if they have none
+
+  LightReceiver receiver(size_t i) const { return {from[i], normals ? normals[i] : PackedNormal()}; }
 };
 
 // How lights are chosen for a receiver.
@@ -38,10 +43,16 @@ struct LightQueries {
 //   tree          one light, by the light tree: proportional to a bound of its contribution at the receiver
 //   automatic     `tree` or `one`, whichever suits the scene (light_selector.h)
 //   emission_pdf  one light by power and a point uniform over its area, as `LightTable::sample_emission` does
+//   emission_auto one light as by `automatic`, and a point uniform over its area
 //
-// All but `emission_pdf` sample large triangles and spheres by solid angle. `emission_pdf` is for MIS weights that need
+// All but the last two sample large triangles and spheres by solid angle. The last two are for MIS weights that need
 // the densities of emission.
-enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
+enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf, emission_auto };
+
+// Whether points on a light, and directions of the environment, are distributed as those of emitted rays.
+constexpr bool samples_as_emission(LightStrategy strategy) {
+  return strategy == LightStrategy::emission_pdf || strategy == LightStrategy::emission_auto;
+}
 
 // How the lights of a receiver are sampled. BSDF samples find smooth parts of the environment well. If the light
 // samples are combined with them by MIS, they cover only what exceeds the mean radiance of the environment
@@ -60,7 +71,7 @@ struct LightSampling {
 
 }  // namespace etendue
 
-// `emission_pdf` is chosen by integrators, never by the user.
+// `emission_pdf` and `emission_auto` are chosen by integrators, never by the user.
 template <>
 struct etendue::Options<etendue::LightStrategy> {
   static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, proportional to power"},

@@ -74,7 +74,7 @@ void LightSelector::build_tree(std::span<const SelectableLight> lights) {
   infinite_share_ = tree_->empty() ? 1 : std::clamp(infinite_power / all_power, kMinShare, 1 - kMinShare);
 }
 
-LightSelector::Choice LightSelector::choose_by_tree(const Vec3& from, float u) const {
+LightSelector::Choice LightSelector::choose_by_tree(const LightReceiver& from, float u) const {
   if (u < kPowerShare) {
     const Choice choice = by_power_.sample(u / kPowerShare);
     return {choice.index, choice.probability > 0 ? probability_by_tree(choice.index, from) : 0};
@@ -107,13 +107,13 @@ const LightSelector::Source& LightSelector::source_of(uint32_t light) const {
   return *(after - 1);
 }
 
-float LightSelector::probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
+float LightSelector::probability(uint32_t light, const LightReceiver& from, LightStrategy strategy) const {
   if (uses_tree(strategy)) return probability_by_tree(light, from);
   const float p = by_power_.probability(light);
   return strategy == LightStrategy::every && p > 0 ? p / source_of(light).probability : p;
 }
 
-float LightSelector::probability_by_tree(uint32_t light, const Vec3& from) const {
+float LightSelector::probability_by_tree(uint32_t light, const LightReceiver& from) const {
   const auto found = std::lower_bound(infinite_.begin(), infinite_.end(), light);
   const bool is_infinite = found != infinite_.end() && *found == light;
   const float p = is_infinite

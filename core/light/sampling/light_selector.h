@@ -39,11 +39,12 @@ class LightSelector {
 
   // Whether the strategy chooses by the tree in this scene.
   bool uses_tree(LightStrategy strategy) const {
-    return strategy == LightStrategy::tree || (strategy == LightStrategy::automatic && tree_pays_);
+    const bool decides = strategy == LightStrategy::automatic || strategy == LightStrategy::emission_auto;
+    return strategy == LightStrategy::tree || (decides && tree_pays_);
   }
   // A light with its probability, which is 0 if no light was found.
   Choice choose_by_power(float u) const { return by_power_.sample(u); }
-  Choice choose_by_tree(const Vec3& from, float u) const;
+  Choice choose_by_tree(const LightReceiver& from, float u) const;
 
   // Sources are lights as a user counts them: the emissive triangles of an instance, a light without extent, the
   // environment. Sources without power do not count.
@@ -51,7 +52,7 @@ class LightSelector {
   Choice choose_in_source(size_t source, float u) const;
 
   // The probability of a light from a receiver; of LightStrategy::every within its source.
-  float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const;
+  float probability(uint32_t light, const LightReceiver& from, LightStrategy strategy) const;
   float probability_by_power(uint32_t light) const { return by_power_.probability(light); }
 
  private:
@@ -64,7 +65,7 @@ class LightSelector {
   LightSelector(std::span<const SelectableLight> lights, std::shared_ptr<const LightTree> tree);
   void build_tree(std::span<const SelectableLight> lights);
   const Source& source_of(uint32_t light) const;
-  float probability_by_tree(uint32_t light, const Vec3& from) const;
+  float probability_by_tree(uint32_t light, const LightReceiver& from) const;
   float probability_of_infinite(size_t index) const;
 
   AliasTable by_power_;

@@ -72,7 +72,7 @@ void LightTable::sample(const LightQueries& queries, LightSample* samples, Light
   const LightSelector& lights = selector(sampling);
   if (lights.uses_tree(sampling.strategy))
     sample_chosen(queries, samples, sampling,
-                  [&](size_t i) { return lights.choose_by_tree(queries.from[i], queries.choice[i]); });
+                  [&](size_t i) { return lights.choose_by_tree(queries.receiver(i), queries.choice[i]); });
   else
     sample_chosen(queries, samples, sampling, [&](size_t i) { return lights.choose_by_power(queries.choice[i]); });
 }
@@ -102,12 +102,13 @@ void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples
 template <class Choose>
 void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples,
                               LightSampling sampling, Choose&& choose) const {
-  const bool by_solid_angle = sampling.strategy != LightStrategy::emission_pdf;
+  const bool by_solid_angle = !samples_as_emission(sampling.strategy);
   const auto time_of = [&](size_t i) { return queries.times ? queries.times[i] : 0; };
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& s = samples[i];
     const LightSelector::Choice choice = choose(i);
     s.light = choice.index;
+    s.choice = choice.probability;
     if (choice.index < primitives_.size()) {
       s.kind = LightKind::triangle;
       batch.set(i, primitives_[choice.index], choice.probability);
@@ -170,7 +171,7 @@ LightSample LightTable::sample_placed(uint32_t light, const Vec3& from, float ti
 }
 
 bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling sampling, LightSample& sample) const {
-  const bool by_position = sampling.strategy != LightStrategy::emission_pdf;
+  const bool by_position = !samples_as_emission(sampling.strategy);
   const float through = by_position && !portals_.empty() ? portals_.probability(from) : 0;
   if (u.x < through) {
     sample.wi = portals_.sample(from, {u.x / through, u.y});
@@ -191,10 +192,10 @@ bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling samp
   return sample.pdf > 0;
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
+float LightTable::pdf_triangle(uint32_t light, const LightReceiver& from, const Vec3& at, float time,
                                LightSampling sampling) const {
   if (empty(sampling) || light >= primitives_.size()) return 0;
-  const float pdf = primitives_.pdf(light, from, at, time, sampling.strategy != LightStrategy::emission_pdf);
+  const float pdf = primitives_.pdf(light, from.position, at, time, !samples_as_emission(sampling.strategy));
   return pdf > 0 ? probability(light, from, sampling) * pdf : 0;
 }
 
@@ -203,7 +204,7 @@ EnvironmentMap::Value LightTable::environment_value(const Vec3& from, const Vec3
   EnvironmentMap::Value value = environment_.value(direction, is_compensated(sampling));
   if (empty(sampling) || environment_.black()) return {value.radiance, 0};
   float& pdf = value.pdf_solid_angle;
-  if (sampling.strategy != LightStrategy::emission_pdf && !portals_.empty()) {
+  if (!samples_as_emission(sampling.strategy) && !portals_.empty()) {
     const float through = portals_.probability(from);
     pdf = (1 - through) * pdf + (through > 0 ? through * portals_.pdf(from, direction) : 0);
   }

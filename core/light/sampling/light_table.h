@@ -32,6 +32,8 @@ class LightTable {
 
   // Without lights, or without any power.
   bool empty() const { return selector_.empty(); }
+  // Whether the normals of receivers change the choice of a light.
+  bool uses_normals(LightSampling sampling) const { return selector(sampling).uses_tree(sampling.strategy); }
   // Whether there is nothing to sample.
   bool empty(LightSampling sampling) const { return selector(sampling).empty(); }
   size_t size() const { return selector_.size(); }
@@ -59,14 +61,19 @@ class LightTable {
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
   // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are
   // those of the light's source.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightSampling sampling) const;
+  float pdf_triangle(uint32_t light, const LightReceiver& from, const Vec3& at, float time,
+                     LightSampling sampling) const;
   float pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The same, and the radiance of the environment from this direction.
   EnvironmentMap::Value environment_value(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.
-  float probability(uint32_t light, const Vec3& from, LightSampling sampling) const {
+  float probability(uint32_t light, const LightReceiver& from, LightSampling sampling) const {
     return selector(sampling).probability(light, from, sampling.strategy);
   }
+  // The probability of a light as the start of an emitted ray.
+  float emission_probability(uint32_t light) const { return selector_.probability_by_power(light); }
+  // The number of the environment, if it is a light.
+  uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
   // Whether there are lights at points (point lights, spot lights).
   bool has_point_lights() const { return has_point_lights_; }
@@ -139,7 +146,6 @@ class LightTable {
   const LightSelector& selector(LightSampling sampling) const {
     return is_compensated(sampling) ? compensated_selector_ : selector_;
   }
-  uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
   AreaLightPrimitives primitives_;
   std::shared_ptr<const std::vector<PlacedLight>> placed_;

@@ -9,6 +9,9 @@ namespace {
 
 // Smaller squared distances and radii are replaced by this one: a receiver may be exactly at a light.
 constexpr float kMinSquare = 1e-30f;
+// The smallest factor for a receiver that faces away. Its shading may still reflect light, because shading normals differ
+// from geometric ones.
+constexpr float kLeastCosine = 0.02f;
 
 }  // namespace
 
@@ -36,8 +39,10 @@ void LightTree::Node::set(int slot, const LightBounds& b, uint32_t child_number)
 
 // theta' = max(0, angle to the axis - angle of the normals - angle of the bounding sphere), with sines and cosines of
 // the angles. No branches: all children are computed at once. Quotients and square roots dominate the cost.
-ETENDUE_VECTORIZE void LightTree::Node::importance(const Vec3& from, Lanes& sums) const {
+ETENDUE_VECTORIZE void LightTree::Node::importance(const Vec3& from, const Vec3& normal, Lanes& sums) const {
   alignas(32) Lanes values;
+  // Without a normal the factor is 1.
+  const float least = normal == Vec3(0) ? 1.0f : kLeastCosine;
 #pragma GCC ivdep
   for (size_t i = 0; i < kWidth; ++i) {
     const Vec3 v(from.x - x[i], from.y - y[i], from.z - z[i]);
@@ -55,19 +60,25 @@ ETENDUE_VECTORIZE void LightTree::Node::importance(const Vec3& from, Lanes& sums
     const float cos_sphere = std::sqrt(1 - sin_sphere * sin_sphere);
     const bool facing = cos_normal > cos_sphere || sin_sphere == 1;
     const float cosine = select(facing, 1.0f, cos_normal * cos_sphere + sin_normal * sin_sphere);
+    // The cosine between the normal of the receiver and the nearest direction to the sphere.
+    const float cos_receiver = -(v.x * normal.x + v.y * normal.y + v.z * normal.z) * inverse;
+    const float sin_receiver = std::sqrt(std::max(0.0f, 1 - cos_receiver * cos_receiver));
+    const float below = cos_receiver * cos_sphere + sin_receiver * sin_sphere;
+    const float received = std::min(std::max(select(cos_receiver > cos_sphere, 1.0f, below), least), 1.0f);
     const bool reached = cosine > cos_emission[i] && inverse2 >= inverse_reach2[i];
-    const float bound = intensity[i] * std::max(cosine, 1e-5f) * std::min(inverse2, inverse_radius2[i]);
+    const float bound = intensity[i] * std::max(cosine, 1e-5f) * received * std::min(inverse2, inverse_radius2[i]);
     values[i] = select(reached, bound, 0.0f);
   }
   float sum = 0;
   for (size_t i = 0; i < kWidth; ++i) sums[i] = sum += values[i];
 }
 
-AliasTable::Choice LightTree::choose(const Vec3& from, float u) const {
+AliasTable::Choice LightTree::choose(const LightReceiver& from, float u) const {
+  const Vec3 normal = from.normal.unpacked();
   float probability = 1;
   for (uint32_t node = 0;;) {
     Lanes sums;
-    nodes_[node].importance(from, sums);
+    nodes_[node].importance(from.position, normal, sums);
     const float all = sums.back();
     if (!(all > 0)) return {0, 0};
     const float target = u * all;
@@ -87,11 +98,12 @@ AliasTable::Choice LightTree::choose(const Vec3& from, float u) const {
   }
 }
 
-float LightTree::probability(uint32_t light, const Vec3& from) const {
+float LightTree::probability(uint32_t light, const LightReceiver& from) const {
+  const Vec3 normal = from.normal.unpacked();
   float probability = 1;
   for (Slot at = slots_[light]; at.node != kNone; at = parents_[at.node]) {
     Lanes sums;
-    nodes_[at.node].importance(from, sums);
+    nodes_[at.node].importance(from.position, normal, sums);
     const auto slot = static_cast<size_t>(at.child);
     const float importance = sums[slot] - (slot > 0 ? sums[slot - 1] : 0);
     if (!(importance > 0)) return 0;

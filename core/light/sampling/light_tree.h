@@ -5,11 +5,12 @@
 // A node bounds the positions of its lights (a sphere of radius R), their normals and the directions in which they emit
 // (two angles about an axis), and the sum of their largest intensities I. Its importance at a receiver at distance d is
 //
-//   I cos(theta') / max(d, R)^2,    theta' = the smallest angle between a normal and the direction to the receiver
+//   I cos(theta') c / max(d, R)^2,    theta' = the smallest angle between a normal and the direction to the receiver
 //
-// and 0 if none of its lights can emit towards the receiver. The descent from the root chooses one of kWidth children
-// at a time in proportion to importance. It depends on the position of the receiver, not on its normal: a path that
-// hits a light needs the probability with which the light would have been chosen.
+// and 0 if none of its lights can emit towards the receiver. c bounds the cosine between the normal of the receiver and the
+// directions to the sphere, from below by kLeastCosine, so that every light which can emit towards the receiver may be
+// chosen; it is 1 for a receiver without a normal. The descent from the root chooses one of kWidth children at a time in
+// proportion to importance.
 #pragma once
 #include <array>
 #include <span>
@@ -17,6 +18,7 @@
 
 #include "base/piecewise_constant.h"
 #include "light/sampling/light_bounds.h"
+#include "light/sampling/light_receiver.h"
 
 namespace etendue {
 
@@ -30,9 +32,9 @@ class LightTree {
   size_t memory() const { return nodes_.size() * sizeof(Node) + (parents_.size() + slots_.size()) * sizeof(Slot); }
 
   // A light with its probability; the probability is 0 if no light can reach the receiver.
-  AliasTable::Choice choose(const Vec3& from, float u) const;
+  AliasTable::Choice choose(const LightReceiver& from, float u) const;
   // The probability with which `choose` returns a light.
-  float probability(uint32_t light, const Vec3& from) const;
+  float probability(uint32_t light, const LightReceiver& from) const;
 
  private:
   static constexpr int kWidth = 8;
@@ -54,7 +56,7 @@ class LightTree {
 
     void set(int slot, const LightBounds& bounds, uint32_t child_number);
     // Prefix sums of the importance of the children.
-    void importance(const Vec3& from, Lanes& sums) const;
+    void importance(const Vec3& from, const Vec3& normal, Lanes& sums) const;
   };
   // A child of a node.
   struct Slot {

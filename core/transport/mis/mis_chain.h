@@ -16,6 +16,12 @@
 // vertex stores the partial sum of its subpath, except for the factor that depends on the next vertex: `weighted_sum`
 // is to be multiplied by (reverse density per solid angle)^beta.
 //
+// Light samples (s = 1) of camera vertices may choose a light with another probability than light subpaths do: the light
+// tree depends on the receiver. With the ratio r of these probabilities, p_1 contains the factor r. Then c is r^beta
+// instead of 1 for this technique, at v_1 of a light subpath and where a camera subpath has hit the light, and the sums
+// of the technique s = 1 itself are divided by r^beta. A view of the light through the camera, (s, t) = (1, 1), is part
+// of a light subpath: its r is 1.
+//
 // A specular vertex has the density |cos| for its direction (one per projected solid angle, equal in both directions),
 // which stands for the delta that all techniques have in common. The first vertex of an infinite light is a direction:
 // its densities are per solid angle, those of the second vertex per area perpendicular to it.
@@ -95,14 +101,14 @@ class MisRule {
 
 // The MIS quantities of a vertex v_j of a subpath.
 struct MisVertex {
-  float pdf = 1;             // ahead_j: density of the vertex as sampled from the previous one, per area
-  float weighted_sum = 0;    // partial sum, to be multiplied by the power of the reverse density of the previous vertex
-  bool connectible = false;  // c_j, as far as it is known: the previous vertex can be an end of a connection
+  float pdf = 1;           // ahead_j: density of the vertex as sampled from the previous one, per area
+  float weighted_sum = 0;  // partial sum, to be multiplied by the power of the reverse density of the previous vertex
+  float connection = 0;    // c_j, as far as it is known: 0 if the previous vertex cannot be an end of a connection
 
   // The same in single terms, for sums over some techniques only: back_{j-1} / ahead_{j-1} without the reverse density
   // per solid angle; the ratio of vertex j - 2; c_{j-1}.
   float reverse_ratio = 0, previous_ratio = 0;
-  bool previous_connectible = false;
+  float previous_connection = 0;
 
   // S of the subpath that ends at this vertex and is continued by a connection. `reverse_pdf` is the density of this
   // vertex as sampled from the other end, per area; `previous_reverse_pdf` that of the direction to the previous
@@ -114,7 +120,7 @@ struct MisVertex {
   }
   // c_j + S_j.
   float sum_before(const MisRule& rule, float previous_reverse_pdf) const {
-    return rule.combine(connectible ? 1.0f : 0.0f, rule.power(previous_reverse_pdf) * weighted_sum);
+    return rule.combine(connection, rule.power(previous_reverse_pdf) * weighted_sum);
   }
 };
 
@@ -124,14 +130,14 @@ template <class VertexOf, class Enabled>
 float sum_of_terms(const MisRule& rule, int j, float reverse_pdf, float previous_reverse_pdf, VertexOf&& vertex,
                    Enabled&& enabled) {
   float sum = 0, product = 1;
-  const auto add = [&](int count, float ratio, bool connectible) {
+  const auto add = [&](int count, float ratio, float connection) {
     product *= rule.ratio(ratio);
-    if (connectible && enabled(count)) sum = rule.combine(sum, product);
+    if (connection > 0 && enabled(count)) sum = rule.combine(sum, product * connection);
   };
   const MisVertex& last = vertex(j);
-  add(j, reverse_pdf / last.pdf, last.connectible);
-  add(j - 1, previous_reverse_pdf * last.reverse_ratio, last.previous_connectible);
-  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).previous_ratio, vertex(i - 1).previous_connectible);
+  add(j, reverse_pdf / last.pdf, last.connection);
+  add(j - 1, previous_reverse_pdf * last.reverse_ratio, last.previous_connection);
+  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).previous_ratio, vertex(i - 1).previous_connection);
   return sum;
 }
 
@@ -144,8 +150,8 @@ class MisChain {
     pdf_forward_ = density;
     previous_ratio_ = 0;
     partial_sum_ = can_be_hit ? 1.0f : 0.0f;
-    previous_connectible_ = can_be_hit;
-    connectible_ = true;
+    previous_connection_ = partial_sum_;
+    connection_ = 1;
     infinite_ = infinite;
   }
   // Sets the sampled direction: its density per solid angle (`infinite`: per area perpendicular to it), and its cosine
@@ -173,11 +179,11 @@ class MisChain {
   // Continues from the vertex. `reverse_pdf` is the density of the direction to the previous vertex, per solid angle.
   // `on_surface`: vertices that are not specular can be merged.
   void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta, bool on_surface) {
-    previous_connectible_ = vertex.connectible && !delta;
-    partial_sum_ = rule.combine(previous_connectible_ ? 1.0f : 0.0f, rule.power(reverse_pdf) * vertex.weighted_sum);
+    previous_connection_ = delta ? 0 : vertex.connection;
+    partial_sum_ = rule.combine(previous_connection_, rule.power(reverse_pdf) * vertex.weighted_sum);
     if (rule.merges() && on_surface && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
     previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
-    connectible_ = !delta;
+    connection_ = delta ? 0 : 1;
     infinite_ = false;
   }
 
@@ -187,14 +193,15 @@ class MisChain {
     pdf_forward_ = pdf;
     return {pdf,
             MisRule::product(partial_sum_, rule.ratio(reverse_ratio)),
-            connectible_,
+            connection_,
             reverse_ratio,
             previous_ratio_,
-            previous_connectible_};
+            previous_connection_};
   }
 
   float pdf_forward_ = 1, partial_sum_ = 0, previous_ratio_ = 0, pdf_ = 0, cosine_ = 1;
-  bool connectible_ = false, infinite_ = false, previous_connectible_ = false;
+  float connection_ = 0, previous_connection_ = 0;
+  bool infinite_ = false;
 };
 
 }  // namespace etendue::transport

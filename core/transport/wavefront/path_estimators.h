@@ -68,8 +68,8 @@ float emission_weight(const PathState<Color>& path, const scene::CompiledScene& 
   if (!combination || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return combination->bsdf_weight(path.pdf,
-                                  scene.lights().pdf_triangle(light, path.from, point.position, path.time, sampling));
+  return combination->bsdf_weight(
+      path.pdf, scene.lights().pdf_triangle(light, path.receiver(), point.position, path.time, sampling));
 }
 
 // The throughput of a path that ends at an emitter or the lens, restricted to the selected path classes.
@@ -234,11 +234,12 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
   });
 }
 
-// Next event estimation with one light sample per hit, distributed as the starts of light subpaths.
+// Next event estimation with one light sample per hit, by a strategy that selects a single light.
 template <class M, class Weigh, class Selected = EveryHit>
-void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
+void add_direct_light_weighted(PathWavefront<M>& paths, LightStrategy strategy, Shadows shadows, Weigh&& weigh,
+                               const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(strategy), shadows, weigh, selected);
 }
 
 // Samples on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
@@ -303,9 +304,10 @@ bool survives_roulette(PathWavefront<M>& paths, const RouletteSettings& roulette
 
 // Records the scattering event that the path continues with.
 template <class Color>
-void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
+void record_scattering(PathState<Color>& path, const LightReceiver& from, const LobeSample<Color>& s) {
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
-  path.from = from;
+  path.from = from.position;
+  path.normal = from.normal;
   path.all_specular = path.all_specular && s.delta;
 }
 
@@ -352,7 +354,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, const RouletteSettings& roulette
     }
     if (recording) [[unlikely]]
       record_throughput(paths, i, path.throughput);
-    record_scattering(path, paths.point(i).position, s);
+    record_scattering(path, paths.receiver(i), s);
     record(i, s);
     paths.continue_path(i, s.wi);
   }

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "base/vec.h"
+#include "light/sampling/light_receiver.h"
 
 namespace etendue::transport {
 
@@ -15,17 +15,20 @@ struct alignas(64) PathState {
   // Factor of the throughput in Russian roulette. It corrects for refraction (squared relative indices) and for the
   // shares of branches.
   float eta_scale;
-  float time;         // from 0 (shutter opens) to 1 (shutter closes); 0 in a model without motion
-  uint32_t seed;      // of the pixel
-  bool all_specular;  // only specular scattering so far: the path hits directly visible surfaces
+  float time;           // from 0 (shutter opens) to 1 (shutter closes); 0 in a model without motion
+  uint32_t seed;        // of the pixel
+  PackedNormal normal;  // at `from`
+  bool all_specular;    // only specular scattering so far: the path hits directly visible surfaces
 
   // Filled in place: building a state elsewhere and copying it as words stalls on store forwarding.
   void start(const Vec3& origin, float at) {
     throughput = Color(1), radiance = Color(0);
-    from = origin;
+    from = origin, normal = {};
     pdf = 0, eta_scale = 1, time = at;
     all_specular = true;
   }
+  // The start of the last segment as a receiver of light.
+  LightReceiver receiver() const { return {from, normal}; }
 };
 
 }  // namespace etendue::transport

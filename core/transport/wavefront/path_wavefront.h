@@ -18,6 +18,8 @@
 #include "transport/wavefront/path_media.h"
 #include "transport/wavefront/path_recorder.h"
 #include "transport/wavefront/path_state.h"
+#include "transport/wavefront/receiver_normal.h"
+#include "transport/wavefront/record_vertices.h"
 
 namespace etendue::transport {
 
@@ -111,7 +113,7 @@ class PathWavefront {
     ++depth_;
     trace_rays();
     if (recorder_) [[unlikely]]
-      record_misses();
+      record_misses(*this, *recorder_);
     return true;
   }
 
@@ -123,8 +125,9 @@ class PathWavefront {
     if (hit_count_ == 0) return false;
     shade();
     drawn_ = 0;
+    normals_.fill({});
     if (recorder_) [[unlikely]]
-      record_hits();
+      record_hits(*this, *recorder_);
     return true;
   }
 
@@ -192,7 +195,12 @@ class PathWavefront {
 
   // One light sample per current hit, by a strategy that selects a single light.
   std::span<const LightSample> sample_lights(LightSampling sampling) {
-    scene_->lights().sample(draw_lights(), light_samples_.data(), sampling);
+    LightQueries queries = draw_lights();
+    if (scene_->lights().uses_normals(sampling)) {
+      for (int i = 0; i < hit_count_; ++i) normals_[static_cast<size_t>(i)] = receiver_normal(point(i), wo(i));
+      queries.normals = normals_.data();
+    }
+    scene_->lights().sample(queries, light_samples_.data(), sampling);
     return light_samples_;
   }
   // Selects the random number stream of one of several light samples of the current vertices; the first has the stream
@@ -206,6 +214,10 @@ class PathWavefront {
     scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
     return light_samples_;
   }
+
+  // A current hit as a receiver of light: with a normal if its light was sampled by a strategy that uses normals. To be
+  // called after `sample_lights`.
+  LightReceiver receiver(int hit) const { return {point(hit).position, normals_[static_cast<size_t>(hit)]}; }
 
   // The paths that left the scene in the last `trace`.
   int miss_count() const { return miss_count_; }
@@ -390,8 +402,6 @@ class PathWavefront {
   void shade();
   void compute_points(size_t first, size_t count);
   void build_surface_bsdf(int path, const scene::SurfacePoint& at, Bsdf<M>& bsdf);
-  [[gnu::cold, gnu::noinline]] void record_hits();
-  [[gnu::cold, gnu::noinline]] void record_misses();
 
   static constexpr uint32_t kConnectionSalt = 0x5bd1e995U;
   uint32_t connection_seed(int path) const { return segment_seed(path) + kConnectionSalt; }
@@ -420,6 +430,7 @@ class PathWavefront {
   SampleTable random_;
   DimensionSet drawn_ = 0;
   Vec3Lanes<kHitsAtATime> cosine_directions_, positions_;
+  std::array<PackedNormal, kHitsAtATime> normals_;  // of receivers of light
   std::array<LightSample, kHitsAtATime> light_samples_;
   // Per miss.
   PerPath<uint16_t> misses_;
@@ -567,26 +578,6 @@ void PathWavefront<M>::resolve_connections() {
     }
   }
   connections_ = 0;
-}
-
-template <class M>
-void PathWavefront<M>::record_hits() {
-  for (int i = 0; i < hit_count_; ++i) {
-    const int path = path_at(i);
-    if (!recorder_->records(path)) continue;
-    recorder_->arrive(path, depth_, point(i), wo(i), color_.to_rgb(path, state(path).throughput));
-    bool has_delta = false;
-    if constexpr (!M::kDiffuse) has_delta = bsdf(i).deltas(wo(i)).count > 0;
-    recorder_->set_lobes(path, bsdf(i).has_component(ScatterType::diffuse), bsdf(i).has_component(ScatterType::glossy),
-                         has_delta);
-  }
-}
-
-template <class M>
-void PathWavefront<M>::record_misses() {
-  for (int i = 0; i < miss_count_; ++i)
-    recorder_->escape(path_of_miss(i), depth_, miss_direction(i),
-                      color_.to_rgb(path_of_miss(i), missed_path(i).throughput));
 }
 
 template <class M>

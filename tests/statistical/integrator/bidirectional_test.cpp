@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "integrator/bdpt/techniques.h"
+#include "scene/builtin/many_lights.h"
 #include "support/integrator_scenes.h"
 
 namespace etendue {
@@ -21,6 +22,14 @@ using test::with_lens;
 using test::without_specular_first_hit;
 
 Document cornell() { return test::cornell(test::kSize); }
+
+// Light samples choose by the light tree.
+Document with_many_lights() {
+  Document d = *render::new_document("many-lights");
+  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lights(24));
+  d.width = d.height = test::kSize;
+  return d;
+}
 
 // Camera paths cannot sample light of a point light that reaches a diffuse surface through glass. Light tracing and
 // bidirectional path tracing are compared with each other on these paths.
@@ -85,7 +94,7 @@ TEST(Bidirectional, EverySubsetOfTechniquesIsUnbiased) {
 
 // The recursive evaluation of the MIS weights equals the direct sum of all terms [Lang, eq. 9.101-9.107, corrected].
 TEST(Bidirectional, RecursiveWeightsEqualTheDirectSum) {
-  for (const Document& place : {cornell(), with_lens(balls_under_area_light()), balls_under_sky()})
+  for (const Document& place : {cornell(), with_lens(balls_under_area_light()), balls_under_sky(), with_many_lights()})
     for (const char* heuristic : {"balance", "power", "maximum"}) {
       const Document d = with(with_integrator(place, "bdpt"), "heuristic", heuristic);
       const auto quick = test::rendered(d, 8), slow = test::rendered(with(d, "without", "99,99"), 8);

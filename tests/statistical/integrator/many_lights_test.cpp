@@ -29,6 +29,32 @@ TEST(ManyLights, AllStrategiesGiveTheSameImage) {
   test::expect_agreement(both_ways, tree, "bdpt and tree", 4);
 }
 
+// The hall under a sky.
+Document hall_under_sky() {
+  Document d = hall(24);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  scene->environment.tint = {0.05f, 0.06f, 0.08f};
+  d.scene = scene;
+  return test::with(d, "film.paths", "E.*L");
+}
+
+// Light samples of `bdpt` choose by the tree, light subpaths by power. Whichever techniques are left, the weights of all
+// paths sum to one.
+TEST(ManyLights, BidirectionalTechniquesAgree) {
+  const Document places[] = {hall_under_sky(), test::with_lens(hall_under_sky())};
+  for (const Document& place : places) {
+    const auto expected = test::replicated(test::with_integrator(place, "path"), 256, 5000);
+    const Document d = test::with_integrator(place, "bdpt");
+    for (const char* without : {"", "0,*", "1,*", "*,1", "2,*", "*,2"})
+      test::expect_agreement(expected, test::replicated(test::with(d, "without", without), 128, 6000), without, 18);
+    for (const char* heuristic : {"balance", "maximum"})
+      test::expect_agreement(expected, test::replicated(test::with(d, "heuristic", heuristic), 128, 7000), heuristic,
+                             18);
+    const Document merging = test::with(test::with_integrator(place, "vcm"), "radius", "0.2");
+    test::expect_agreement(expected, test::replicated(merging, 128, 8000), "vcm", 18);
+  }
+}
+
 double error_of(const Document& d, const std::string& lights) {
   const auto estimate = test::replicated(test::with(test::with_integrator(d, "path"), "path.lights", lights), 16);
   double sum = 0;
@@ -41,6 +67,15 @@ TEST(ManyLights, LightTreeHasLessNoise) {
   const Document d = hall(300);
   EXPECT_LT(3 * error_of(d, "tree"), error_of(d, "one"));
   EXPECT_EQ(error_of(d, "auto"), error_of(d, "tree"));
+}
+
+// By power, the light samples of `bdpt` would be as noisy as those of `path`, and its other techniques find little here.
+TEST(ManyLights, BidirectionalLightSamplesUseTheTree) {
+  const Document d = test::with(hall(300), "film.paths", "E(D|G)L");
+  const auto estimate = test::replicated(test::with_integrator(d, "bdpt"), 16);
+  double sum = 0;
+  for (const double v : estimate.variance) sum += v;
+  EXPECT_LT(2 * sum, error_of(d, "one"));
 }
 
 }  // namespace

@@ -44,16 +44,23 @@ TEST(LightSelection, TreeSamplesHaveTheStatedDensities) {
     RandomNumbers random(14);
     receivers.draw(random, Vec3(0), 2);
     std::array<int, 3> of_kind{};
-    const auto samples = receivers.sample(table, LightStrategy::tree);
+    std::vector<PackedNormal> normals;
+    for (size_t i = 0; i < Receivers::kCapacity; ++i)
+      normals.push_back(i % 3 == 0 ? PackedNormal() : PackedNormal(random.direction()));
+    LightQueries queries = receivers.queries();
+    queries.normals = normals.data();
+    std::vector<LightSample> samples(Receivers::kCount);
+    table.sample(queries, samples.data(), LightStrategy::tree);
     for (size_t i = 0; i < samples.size(); ++i) {
       const LightSample& s = samples[i];
       if (s.pdf == 0) continue;
       ++of_kind[static_cast<size_t>(s.kind)];
-      const Vec3 from = receivers.from[i];
-      const Vec3 point = from + s.wi * s.distance;
+      const LightReceiver from = queries.receiver(i);
+      const Vec3 point = from.position + s.wi * s.distance;
       const float pdf = s.kind == LightKind::triangle ? table.pdf_triangle(s.light, from, point, 0, LightStrategy::tree)
-                        : s.kind == LightKind::environment ? table.pdf_environment(from, s.wi, LightStrategy::tree)
-                                                           : table.probability(s.light, from, LightStrategy::tree);
+                        : s.kind == LightKind::environment
+                            ? table.pdf_environment(from.position, s.wi, LightStrategy::tree)
+                            : table.probability(s.light, from, LightStrategy::tree);
       EXPECT_NEAR(s.pdf / pdf, 1, 2e-3f);
     }
     EXPECT_GT(of_kind[0], 100);

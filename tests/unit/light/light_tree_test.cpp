@@ -145,6 +145,46 @@ TEST(LightTree, PrefersNearbyLightsThatFaceTheReceiver) {
   EXPECT_NEAR(LightTree(lights).probability(0, Vec3(0)), 101.0 / 102, 1e-5);
 }
 
+// The cosine at the receiver counts, but no light that reaches it is excluded.
+TEST(LightTree, PrefersLightsInFrontOfTheReceiver) {
+  const std::vector<LightBounds> lights{point_at({0, 1, 0}), point_at({0, -1, 0}), point_at({1, 0, 0})};
+  const LightTree tree(lights);
+  const LightReceiver up(Vec3(0), PackedNormal({0, 1, 0}));
+  EXPECT_NEAR(tree.probability(0, up), 1 / 1.04, 1e-3);
+  EXPECT_NEAR(tree.probability(1, up), 0.02 / 1.04, 1e-3);
+  EXPECT_NEAR(tree.probability(0, Vec3(0)), 1.0 / 3, 1e-5);
+  RandomNumbers random(21);
+  const LightTree many(mixed_lights(200, 1, 6));
+  for (int k = 0; k < 50; ++k) {
+    const LightReceiver receiver(random.in_cube(1.5f), PackedNormal(random.direction()));
+    double sum = 0;
+    for (uint32_t i = 0; i < 200; ++i) {
+      const float p = many.probability(i, receiver);
+      EXPECT_EQ(p > 0, many.probability(i, receiver.position) > 0) << i;
+      sum += static_cast<double>(p);
+    }
+    EXPECT_LT(sum, 1 + 1e-5);
+    const auto choice = many.choose(receiver, random());
+    if (choice.probability > 0) {
+      EXPECT_NEAR(choice.probability / many.probability(choice.index, receiver), 1, 1e-5f);
+    }
+  }
+}
+
+TEST(PackedNormal, IsAccurate) {
+  EXPECT_FALSE(PackedNormal());
+  EXPECT_EQ(PackedNormal().unpacked(), Vec3(0));
+  RandomNumbers random(22);
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 n = random.direction();
+    const PackedNormal packed(n);
+    EXPECT_TRUE(packed);
+    EXPECT_LT(glm::distance(packed.unpacked(), n), 2e-3f);
+  }
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1)})
+    EXPECT_EQ(PackedNormal(axis).unpacked(), axis);
+}
+
 TEST(LightTree, NeverSelectsLightsWithoutPower) {
   std::vector<LightBounds> lights{point_at({0, 1, 0}, 0), point_at({1, 1, 0}), point_at({2, 1, 0}, 0)};
   const LightTree tree(lights);
