@@ -65,7 +65,7 @@ TEST_F(PixelValues, HistogramFollowsTheAov) {
                                                    click("panel.histogram"),
                                                    wait_for("histogram"),
                                                    file_step("state", path("beauty.json")),
-                                                   set("view.aov", "normal"),
+                                                   set("view.aov", "shading-normal"),
                                                    wait_for("aov"),
                                                    wait_for("histogram"),
                                                    file_step("state", path("normal.json"))}));
@@ -73,7 +73,7 @@ TEST_F(PixelValues, HistogramFollowsTheAov) {
   const json beauty = state("beauty.json")["histogram"], normal = state("normal.json")["histogram"];
   EXPECT_EQ(beauty["source"], "beauty");
   EXPECT_GT(beauty["above_white"].get<double>(), 0.8);
-  EXPECT_EQ(normal["source"], "normal");
+  EXPECT_EQ(normal["source"], "shading-normal");
   EXPECT_EQ(normal["above_white"], 0);
 }
 

@@ -164,7 +164,7 @@ TEST(SvgChart, LabelsOfSlopesDoNotTouchCurves) {
       const Drawing drawing = convergence_chart(methods, options);
       size_t labels = 0;
       for (const auto& shape : drawing.shapes) {
-        const auto* text = std::get_if<Text>(&shape);
+        const auto* text = std::get_if<metrics::Text>(&shape);
         if (!text || (text->text != "-1/2" && text->text != "-1")) continue;
         ++labels;
         const double right = text->at.x + 7 * static_cast<double>(text->text.size());
