@@ -158,7 +158,10 @@ TEST(RenderManager, PiecesOfASilentRankAreRenderedByOthers) {
   Job job(3, RankFault::never_answers);
   RenderManager manager(job.rank_0(), setup_of(document));
   expect_image_of_one_process(manager, document);
-  EXPECT_NE(manager.summary().find("repeated pieces: 1"), std::string::npos) << manager.summary();
+  // On a busy machine, pieces of slow ranks are repeated as well.
+  EXPECT_NE(manager.summary().find("repeated pieces: "), std::string::npos) << manager.summary();
+  EXPECT_EQ(manager.summary().find("repeated pieces: 0"), std::string::npos) << manager.summary();
+  EXPECT_NE(manager.summary().find("rank 2 does not answer"), std::string::npos) << manager.summary();
 }
 
 // A schedule in which ranks add results for rank 0.
