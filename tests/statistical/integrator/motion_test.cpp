@@ -330,7 +330,8 @@ TEST(MotionBlur, EqualsTheMeanOfStillImagesOfRealFiles) {
     auto d = *render::new_document(folder + "/gltf/" + file);
     d.width = d.height = test::kSize;
     d.camera.shutter = 0.4f;
-    expect_mean_of_moments(d, 256, 16, file);
+    // Blocks beside the truck rarely see it move: with a quarter of these samples their means are far from normal.
+    expect_mean_of_moments(d, 1024, 48, file);
   }
 }
 
