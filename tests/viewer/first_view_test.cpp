@@ -61,6 +61,27 @@ TEST_F(FirstView, TheExposureSuitsABrightScene) {
   EXPECT_EQ(state("s.json")["parameters"]["camera.exposure"], 0);
 }
 
+// Dark surfaces in studio light become brighter, but the grey backdrop does not become white.
+TEST_F(FirstView, TheBackdropLimitsTheExposure) {
+  render::Document d = *render::new_document("cornell");
+  auto scene = *d.scene;
+  for (auto& material : scene.materials) {
+    material.emission = Rgb(0);
+    material.base_color = Rgb(0.01f);
+    material.metallic = 0;
+    material.specular = 0;
+  }
+  const std::string file = path("dark-walls.glb");
+  ASSERT_TRUE(scene::save_gltf(scene, file));
+  const json steps = json::array({{{"do", "wait"}, {"spp", 8}},
+                                  {{"do", "wait"}, {"seconds", 0.5}},
+                                  file_step("state", path("s.json"))});
+  ASSERT_EQ(run(steps, file), 0);
+  const json parameters = state("s.json")["parameters"];
+  EXPECT_EQ(parameters["environment.preset"], "studio");
+  EXPECT_EQ(parameters["camera.exposure"], 1);
+}
+
 // Mirrors that a point light illuminates: there is no light in them at any exposure.
 TEST_F(FirstView, TheStudioIsAddedWhereTheLightsLeaveSurfacesBlack) {
   render::Document d = *render::new_document("cornell");

@@ -202,6 +202,7 @@ void draw_notices(AppState& state) {
     ImGui::End();
     ImGui::PopStyleVar();
   }
+  state.viewport.height_of_notices = notices.empty() ? 0 : region.corner.y + region.size.y - bottom;
   if (closed) state.notices.close(*closed);
   if (Panel* panel = opened_panel.empty() ? nullptr : state.panels.find(opened_panel)) state.panels.open(*panel);
   if (opens_log) state.panels.open(*state.panels.find("panel.messages"));

@@ -99,6 +99,7 @@ struct ViewportState {
   FirstView first_view = FirstView::adjusted;
   std::string environment;  // the document's, as `first_view` knows it
   Playback playback;
+  float height_of_notices = 0;  // of the messages over the lower edge of the image, pixels
   std::optional<ClickTool> click_tool;
   Gizmo gizmo;
   NodePlaces node_places;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kColumns = 24, kRows = 16;  // of rays that look for surfaces in front of the near plane
 constexpr uint32_t kExposureSamples = 4, kLightSamples = 8;
+constexpr float kMaxExposureOfBackdrop = 1;  // EV; the grey backdrop stays far below white
 
 // The distance along the optical axis to the surface in the centre of the image; 0 if there is none.
 float central_depth(const Camera& camera, const scene::CompiledScene& scene) {
@@ -53,8 +54,11 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
   const render::Document& document = state.document();
   const auto luminances = render::surface_luminances(document, scene, *frame.pixels);
   if (!render::exposure_is_unsuitable(luminances, document.display.exposure)) return;
-  const auto exposure = render::automatic_exposure(luminances);
+  auto exposure = render::automatic_exposure(luminances);
   if (!exposure) return;
+  const Environment& environment = document.scene->environment;
+  if (environment.backdrop && !environment.visible) exposure = std::min(*exposure, kMaxExposureOfBackdrop);
+  if (*exposure == document.display.exposure) return;
   render::Document changed = document;
   changed.display.exposure = *exposure;
   state.editor->amend(std::move(changed));

@@ -129,14 +129,15 @@ void draw_stored_points(const AppState& state, ImDrawList* draw) {
   draw_label(draw, Vec2(visible_part.corner.x + em * 0.6f, bottom - label_size(text).y), text);
 }
 
-// Says at the lower edge of the image that it is dark, and offers remedies.
+// Says at the lower edge of the image, above other messages, that it is dark, and offers remedies.
 void draw_darkness(AppState& state) {
   const ViewportState& viewport = state.viewport;
   if (viewport.darkness == Darkness::none || state.shows_aov()) return;
   if (viewport.comparison->mode != CompareMode::off || !state.incompatibility().empty()) return;
   const Placement& region = viewport.region;
   const float em = ImGui::GetFontSize();
-  const float bottom = region.corner.y + region.size.y - em - viewport.playback.bar_height;
+  const float height_of_messages = std::max(viewport.playback.bar_height, viewport.height_of_notices);
+  const float bottom = region.corner.y + region.size.y - em - height_of_messages;
   ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, bottom}, ImGuiCond_Always, {0.5f, 1});
   ImGui::Begin("##dark image", nullptr, kOverlayWindow);
   const bool has_surfaces = viewport.darkness == Darkness::surfaces_are_black;
