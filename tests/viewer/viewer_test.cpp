@@ -292,7 +292,7 @@ TEST_F(Viewer, AllTabsDrawAndAllActionsAreListed) {
 TEST_F(Viewer, ImpossibleStepEndsTheScript) {
   for (const json& step :
        {set("material.99.roughness", 0.5), set("material.0.roughness", 7), set("no-such.thing", 1),
-        click("no.such.item"), file_step("open", path("missing.glb")), file_step("image", path("a.xyz"))}) {
+        click("no.such.item"), json{{"do", "click"}, {"image", {1.5, 0.5}}}, file_step("open", path("missing.glb")), file_step("image", path("a.xyz"))}) {
     ::testing::internal::CaptureStderr();
     EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, step})), 1) << step;
     EXPECT_NE(::testing::internal::GetCapturedStderr().find("step 2"), std::string::npos) << step;

@@ -306,6 +306,27 @@ class PickStep final : public Step {
   DragStep click_;
 };
 
+// Clicks at a fraction of the width and height of the image, wherever the image is.
+class ImageClickStep final : public Step {
+ public:
+  ImageClickStep(Vec2 fraction, Button button) : fraction_(fraction), button_(button) {}
+
+  StepStatus advance(AppState& state) override {
+    if (!click_) {
+      const Placement& image = state.viewport.image;
+      const Vec2 position = image.corner + fraction_ * image.size;
+      if (!state.viewport.visible_image().contains(position)) return impossible("this part of the image is not visible");
+      click_.emplace(position, position, button_);
+    }
+    return click_->advance(state);
+  }
+
+ private:
+  Vec2 fraction_;
+  Button button_;
+  std::optional<DragStep> click_;
+};
+
 Vec2 point_of(const nlohmann::json& j) { return {j.at(0).get<float>(), j.at(1).get<float>()}; }
 
 Button button_of(const nlohmann::json& j) {
@@ -323,6 +344,8 @@ Result<std::unique_ptr<Step>> make_input_step(const std::string& action, const n
   const auto text = [&](const char* member) { return j.at(member).get<std::string>(); };
   if (action == "set") return result(std::make_unique<SetStep>(text("name"), value_text(j.at("value"))));
   if (action == "click" && j.value("double", false)) return result(std::make_unique<DoubleClickStep>(text("item")));
+  if (action == "click" && j.contains("image"))
+    return result(std::make_unique<ImageClickStep>(point_of(j["image"]), button_of(j)));
   if (action == "click") return result(std::make_unique<ClickStep>(text("item"), button_of(j)));
   if (action == "drag" && j.contains("item"))
     return result(std::make_unique<ItemDragStep>(text("item"), point_of(j.at("by"))));

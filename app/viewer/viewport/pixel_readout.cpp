@@ -131,7 +131,7 @@ void draw_content(AppState& state, const std::optional<PixelValues>& pointer,
                   const std::optional<PixelValues>& pinned) {
   const float width = 11 * ImGui::GetFontSize();
   if (ImGui::BeginTable("##values", pinned ? 3 : 2, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableSetupColumn("##label");
+    ImGui::TableSetupColumn("##label", ImGuiTableColumnFlags_WidthFixed, 6.5f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("Pointer", ImGuiTableColumnFlags_WidthFixed, width);
     if (pinned) ImGui::TableSetupColumn("Pinned", ImGuiTableColumnFlags_WidthFixed, width);
     draw_heads(pinned.has_value());
