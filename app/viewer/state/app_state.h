@@ -25,6 +25,7 @@
 #include "viewer/viewer.h"
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/first_view.h"
+#include "viewer/viewport/focus_region.h"
 #include "viewer/viewport/image_zoom.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/viewport/timeline.h"
@@ -100,6 +101,7 @@ struct ViewportState {
   std::string environment;  // the document's, as `first_view` knows it
   Playback playback;
   std::optional<ClickTool> click_tool;
+  FocusRegion focus;
   Gizmo gizmo;
   NodePlaces node_places;
   bool show_icons = true;  // of lights and cameras
