@@ -17,6 +17,7 @@
 namespace etendue {
 namespace {
 
+constexpr int kWidth = 640, kHeight = 360;
 constexpr auto kPollInterval = std::chrono::milliseconds(100);
 
 struct Outcome {
@@ -44,14 +45,15 @@ bool compare(const std::string& scene, const render::PixelRect& region, double t
     std::fprintf(stderr, "%s\n", document.error().message.c_str());
     return false;
   }
-  document->width = 1280;
-  document->height = 720;
+  document->width = kWidth;
+  document->height = kHeight;
   const Outcome whole = time_to_error(*document, region, false, target);
   const Outcome focused = time_to_error(*document, region, true, target);
-  const double share = region.width * region.height / (1280.0 * 720.0);
+  const double share = region.width * region.height / (double{kWidth} * kHeight);
   std::printf("%-24s region %4.1f %%  whole %7.2f s %5u spp  focus %7.2f s %5u spp  ratio %5.1f\n",
               document->scene_name.substr(document->scene_name.rfind('/') + 1).c_str(), 100 * share, whole.seconds,
               whole.samples, focused.seconds, focused.samples, whole.seconds / focused.seconds);
+  std::fflush(stdout);
   return focused.seconds < whole.seconds;
 }
 
@@ -62,8 +64,8 @@ int main(int argc, char** argv) {
   using namespace etendue;
   const double target = argc > 1 ? std::atof(argv[1]) : 0.02;
   if (!(target > 0)) return std::fprintf(stderr, "the error has to be positive\n"), 2;
-  bool faster = compare("cornell", {640, 400, 256, 180}, target);
+  bool faster = compare("cornell", {320, 200, 128, 90}, target);
   if (const std::string data = test::data_folder(); !data.empty())
-    faster = compare(data + "/scenes/staircase2/staircase2.glb", {512, 360, 256, 180}, target) && faster;
+    faster = compare(data + "/scenes/staircase2/staircase2.glb", {256, 180, 128, 90}, target) && faster;
   return faster ? 0 : 1;
 }
