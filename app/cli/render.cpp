@@ -35,6 +35,7 @@
 #include "revised_render.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
+#include "sequence_options.h"
 
 namespace etendue::cli {
 namespace {
@@ -45,6 +46,7 @@ constexpr const char* kFromRank0 = "rank0";
 struct RenderArguments {
   SceneArguments scene;
   PartArguments part;
+  SequenceArguments sequence;
   std::string out, png, denoised, integrator, sampler, aovs, json, resume, like, measure, scene_from;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
@@ -446,6 +448,29 @@ Result<void> check_layers(const RenderArguments& a, const std::vector<std::strin
   return recording ? Result<void>() : Result<void>(recording.error());
 }
 
+// The arguments for one image of a sequence, whose files have its number.
+RenderArguments with_frame_files(RenderArguments a, uint32_t number) {
+  for (std::string* file : {&a.out, &a.png, &a.denoised, &a.json})
+    if (!file->empty()) *file = render::frame_file(*file, number);
+  return a;
+}
+
+// Renders image after image. Ends at the first one that fails or is interrupted.
+int run_sequence(const RenderArguments& a, const std::vector<std::string>& aovs, const render::Document& document) {
+  if (a.json == "-") return fail(usage_error("render: --json - holds one image; give a file, which is numbered as well"));
+  const auto sequence = image_sequence(document, a.sequence);
+  if (!sequence) return fail(sequence.error());
+  const render::FrameRange range = sequence->range();
+  for (uint32_t frame = range.first; frame < range.end; ++frame) {
+    const auto shown = sequence->at(frame);
+    if (!shown) return fail(shown.error());
+    const RenderArguments arguments = with_frame_files(a, frame);
+    std::fprintf(stderr, "etendue: image %u of %u: %s\n", frame - range.first + 1, range.count(), arguments.out.c_str());
+    if (const int code = RenderJob(arguments, aovs, {.document = *shown}, false).run(); code != 0) return code;
+  }
+  return 0;
+}
+
 // Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
 int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (auto ok = check_names(a.out, {a.png, a.denoised}, "render"); !ok) return fail(ok.error());
@@ -458,6 +483,9 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (!a.resume.empty())
     if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
   const bool writes_part = a.part.is_given() || !start->document.part.is_whole();
+  if (a.sequence.is_given() && (ranks || writes_part || !a.resume.empty() || a.checkpoint_interval > 0))
+    return fail(usage_error("render: --frames and --turntable render whole images by one process; leave out mpirun, "
+                            "--samples, --region, --checkpoint and --resume, and divide the frames instead"));
   // A single rank renders what does not divide as a process without mpirun does.
   const bool is_alone = !ranks || ranks->size() == 1;
   if (is_alone && (writes_part || !ranks_incompatibility(start->document).empty())) ranks = nullptr;
@@ -465,6 +493,7 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
   if (auto ok = check_layers(a, *aovs, *start, ranks != nullptr); !ok) return fail(ok.error());
   print_warnings(start->document);
+  if (a.sequence.is_given()) return run_sequence(a, *aovs, start->document);
   if (ranks) return run_on_rank_0(a, *ranks, std::move(*aovs), std::move(*start));
   if (start->resume_point && has_gaps(*start)) {
     cluster::SingleRank single;
@@ -502,6 +531,9 @@ Command render_command() {
                    .bounds = between(1, 1'000'000)},
                   samples_option(a->part.samples),
                   region_option(a->part.region),
+                  frames_option(a->sequence.frames),
+                  frames_per_second_option(a->sequence.frames_per_second),
+                  turntable_option(a->sequence.turntable),
                   {.names = "--time", .target = &a->seconds, .doc = "Rendering time in seconds", .bounds = kPositive},
                   {.names = "--error",
                    .target = &a->error,

@@ -107,6 +107,7 @@ void open_document(AppState& state, OpenedFile opened) {
   state.viewport.first_view = opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
   state.viewport.playback = {};
   state.viewport.zoom = {};
+  state.viewport.focus.clear();
   if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
   state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
   set_title(state);
@@ -229,6 +230,7 @@ void update_state(AppState& state, ImageView& live_image) {
   take_loaded_image(state);
   if (!state.has_document()) return;
   drop_stale_selection(state);
+  state.viewport.focus.update(state);
   update_image(state, live_image);
   update_comparison_source(state);
   for (const auto& panel : state.panels.all()) panel->update(state);

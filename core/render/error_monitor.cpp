@@ -49,8 +49,8 @@ void ErrorMonitor::measure_error(const film::Film& film, uint32_t samples, doubl
   if (error.known && !measured.known) return;  // interrupted
   error_ = error;
   measured_ = measured;
+  if (samples > error_samples_) estimator_.add(samples, seconds, measured_);
   error_samples_ = samples;
-  estimator_.add(samples, seconds, measured_);
 }
 
 bool ErrorMonitor::is_reliability_due(uint32_t samples) const {

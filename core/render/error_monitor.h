@@ -30,7 +30,8 @@ class ErrorMonitor {
   // grown by an eighth; by a quarter for the relative error, which takes longer.
   bool is_error_due(uint32_t samples) const;
   bool is_error_current(uint32_t samples) const { return error_samples_ == samples; }
-  // Measures the error after `seconds` of rendering, unless `keep_going` stops it.
+  // Measures the error after `seconds` of rendering, unless `keep_going` stops it. A second measurement at the same number
+  // of samples does not affect the estimator.
   void measure_error(const film::Film& film, uint32_t samples, double seconds, const std::function<bool()>& keep_going);
 
   // Fitting the tails of all tiles takes some milliseconds, so it is due when the number of samples has grown by a

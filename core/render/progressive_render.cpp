@@ -8,6 +8,7 @@
 #include "geometry/accel.h"
 #include "render/incompatibility.h"
 #include "render/limit_progress.h"
+#include "render/sample_coverage.h"
 
 namespace etendue::render {
 namespace {
@@ -53,6 +54,8 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   counters_.rays = 0;
   counters_.paths = 0;
   seconds_ = 0;
+  focus_seconds_ = 0;
+  focus_.reset();
   if (start) renderer_->begin(film_.film(), start->integrator_state);
   samples_ = renderer_->samples();
   shares_ = shares;
@@ -75,6 +78,29 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
 void ProgressiveRender::set_document(const Document& document) {
   document_ = document;
   error_monitor_.set_measure(document_.limits.measure, document_.display.transform());
+  if (focus_) focus_->set_measure(document_.limits.measure, document_.display.transform());
+}
+
+bool ProgressiveRender::uses_focus() const {
+  return requested_focus_ && samples_ >= kSamplesBeforeFocus && !shares_ &&
+         is_inside(*requested_focus_, document_.width, document_.height) && focus_incompatibility(document_).empty();
+}
+
+// Begins, moves or ends the focus, unless the renderer has to complete a step first. At the end, the error of the image
+// is measured again, because the samples of the region have changed it.
+void ProgressiveRender::update_focus() {
+  const auto wanted = uses_focus() ? requested_focus_ : std::nullopt;
+  if (wanted == (focus_ ? std::optional(focus_->region()) : std::nullopt)) return;
+  const auto blocks =
+      wanted ? std::optional(enclosing_blocks(*wanted, document_.width, document_.height)) : std::nullopt;
+  if (!renderer_->restrict_to(blocks, film_.film())) return;
+  focus_.reset();
+  if (!wanted) {
+    samples_ = renderer_->samples();
+    return error_monitor_.measure_error(film_.film(), samples_, seconds_ - focus_seconds_, keep_going_);
+  }
+  focus_.emplace(workers_, *wanted, renderer_->samples(), find_sampler(document_.method.sampler)->independent);
+  focus_->set_measure(document_.limits.measure, document_.display.transform());
 }
 
 // Samples of other processes replace further previews.
@@ -132,6 +158,7 @@ bool ProgressiveRender::render_slice() {
   const double allowed = slice_seconds();
   const auto keep_sampling = [&] { return keep_going_() && seconds_since(start) < allowed; };
   if (!add_shared_samples()) return true;
+  update_focus();
   while (!limit_reached(seconds_ + seconds_since(start))) {
     if (!begin_step()) {
       std::this_thread::sleep_for(kSharedSamplesInterval);
@@ -141,7 +168,12 @@ bool ProgressiveRender::render_slice() {
     }
     if (first || !keep_sampling()) break;
   }
-  seconds_ += seconds_since(start);
+  const double taken = seconds_since(start);
+  seconds_ += taken;
+  if (focus_) {
+    focus_seconds_ += taken;
+    focus_->add_seconds(taken);
+  }
   if (first && samples_ > 0 && shared_samples_ == 0) preview_resolution_.add_measurement(counters_.paths, seconds_);
   return true;
 }
@@ -157,8 +189,9 @@ bool ProgressiveRender::begin_step() {
 }
 
 void ProgressiveRender::finish_step() {
-  samples_ = renderer_->samples() + shared_samples_;
+  if (!focus_) samples_ = renderer_->samples() + shared_samples_;
   if (shares_) film_.finish_sample();
+  update_focus();
 }
 
 // Adds what other processes have rendered. False if it was interrupted; no sample may be taken until it is complete.
@@ -186,17 +219,21 @@ bool ProgressiveRender::clear_film() {
 
 bool ProgressiveRender::limit_reached(double seconds) {
   const Limits& limits = document_.limits;
-  if (sample_or_time_limit_reached(limits, samples_, seconds)) return true;
+  if (sample_or_time_limit_reached(limits, samples_to_limit(), seconds)) return true;
   if (limits.error <= 0) return false;
-  if (error_monitor_.is_error_due(samples_)) error_monitor_.measure_error(film_.film(), samples_, seconds, keep_going_);
-  const film::MeasuredError& error = error_monitor_.measured();
+  if (focus_)
+    focus_->update(film_.film(), samples_to_limit(), keep_going_);
+  else if (error_monitor_.is_error_due(samples_))
+    error_monitor_.measure_error(film_.film(), samples_, seconds - focus_seconds_, keep_going_);
+  const film::MeasuredError& error = focus_ ? focus_->error() : error_monitor_.measured();
   return error.known && error.value <= limits.error;
 }
 
 bool ProgressiveRender::update_statistics() {
   const bool finished = limit_reached(seconds_);
+  if (focus_) focus_->update(film_.film(), samples_to_limit(), keep_going_, finished);
   if (error_monitor_.is_error_due(samples_) || (finished && !error_monitor_.is_error_current(samples_)))
-    error_monitor_.measure_error(film_.film(), samples_, seconds_, keep_going_);
+    error_monitor_.measure_error(film_.film(), samples_, seconds_ - focus_seconds_, keep_going_);
   if (error_monitor_.is_reliability_due(samples_) || (finished && !error_monitor_.is_reliability_current(samples_)))
     error_monitor_.measure_reliability(film_.film(), film_.tails(), samples_, keep_going_);
   return finished;
@@ -225,10 +262,6 @@ void ProgressiveRender::write_initial_status(Status& status) const {
 }
 
 void ProgressiveRender::write_status(Status& status, bool finished) {
-  const SamplingState state{.samples = samples_,
-                            .seconds = seconds_,
-                            .error = error_monitor_.measured(),
-                            .estimator = error_monitor_.estimator()};
   const auto per_second = [&](uint64_t count) { return seconds_ > 0 ? static_cast<double>(count) / seconds_ : 0; };
   status.samples = samples_;
   status.seconds = seconds_;
@@ -243,8 +276,8 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.statistics = renderer_->statistics();
   status.notes = renderer_->notes();
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
-  status.progress = progress_to_limit(document_.limits, state);
-  status.time_left = time_to_limit(document_.limits, state);
+  write_focus(status);
+  write_limit(status);
   status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) +
                   film_.film().rounding_errors().memory() + renderer_->memory();
   write_phase(status, *renderer_);
@@ -253,6 +286,31 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
     status.phase = "done";
     status.progress = 1;
   }
+}
+
+void ProgressiveRender::write_focus(Status& status) const {
+  status.focus.reset();
+  if (!requested_focus_) return;
+  FocusStatus& focus = status.focus.emplace();
+  focus.region = *requested_focus_;
+  focus.incompatibility = shares_ ? "Other processes render the image as well" : focus_incompatibility(document_);
+  focus.samples = samples_to_limit();
+  if (focus_) focus.error = focus_->error();
+}
+
+// Limits refer to the focus if there is one. Its time is converted to that in which it would have received all its
+// samples.
+void ProgressiveRender::write_limit(Status& status) const {
+  Limits limits = document_.limits;
+  const uint32_t samples = samples_to_limit();
+  const double seconds = focus_ ? focus_->seconds_of(samples) : seconds_ - focus_seconds_;
+  if (limits.seconds > 0) limits.seconds = std::max(limits.seconds - seconds_ + seconds, 1e-9);
+  const SamplingState state{.samples = samples,
+                            .seconds = seconds,
+                            .error = focus_ ? focus_->error() : error_monitor_.measured(),
+                            .estimator = focus_ ? focus_->estimator() : error_monitor_.estimator()};
+  status.progress = progress_to_limit(limits, state);
+  status.time_left = time_to_limit(limits, state);
 }
 
 void ProgressiveRender::write_phase(Status& status, const Renderer& renderer) {

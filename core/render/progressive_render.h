@@ -9,6 +9,7 @@
 
 #include "render/clock.h"
 #include "render/error_monitor.h"
+#include "render/focus.h"
 #include "render/preview_resolution.h"
 #include "render/renderer.h"
 #include "render/session.h"
@@ -30,6 +31,10 @@ class ProgressiveRender {
   const transport::Model& model() const { return renderer_->model(); }
   // Replaces the document by one whose samples are the same.
   void set_document(const Document& document);
+
+  // The region that receives all samples from now on; nothing: all pixels alike. A region that is not inside the image
+  // is ignored.
+  void set_focus(const std::optional<PixelRect>& region) { requested_focus_ = region; }
 
   // Whether the edit has no frame yet.
   bool awaits_first_frame() const { return awaits_first_frame_; }
@@ -70,6 +75,11 @@ class ProgressiveRender {
   void finish_step();
   bool add_shared_samples();
   bool limit_reached(double seconds);
+  bool uses_focus() const;
+  void update_focus();
+  uint32_t samples_to_limit() const { return focus_ ? renderer_->samples() : samples_; }
+  void write_focus(Status& status) const;
+  void write_limit(Status& status) const;
 
   ThreadPool& workers_;
   SharedSampling* sharing_;  // null: none
@@ -91,6 +101,9 @@ class ProgressiveRender {
   std::optional<SharedSamples> received_;  // samples of other processes that are being added to the film
   uint32_t shared_samples_ = 0;            // of other processes, per pixel; part of `samples_`
   double seconds_ = 0;                     // of rendering
+  double focus_seconds_ = 0;               // part of `seconds_` with a focus
+  std::optional<PixelRect> requested_focus_;
+  std::optional<FocusMonitor> focus_;  // nothing while all pixels are sampled alike
 
   PreviewResolution preview_resolution_;
   bool awaits_first_frame_ = false;

@@ -37,7 +37,8 @@ Renderer::Renderer(const Document& document, std::shared_ptr<const scene::Compil
       width_(width),
       height_(height),
       first_sample_(document.part.first_sample),
-      region_(document.part.region.value_or(PixelRect{0, 0, width, height})),
+      part_(document.part.region.value_or(PixelRect{0, 0, width, height})),
+      region_(part_),
       adaptive_(prepared_.accumulation() == integrator::Accumulation::per_pixel ? document.method.adaptive
                                                                                 : Adaptive::off),
       state_(prepared_.begin(prepared_.context(), previous ? previous->state_.get() : nullptr)),
@@ -45,10 +46,14 @@ Renderer::Renderer(const Document& document, std::shared_ptr<const scene::Compil
 
 size_t Renderer::memory() const { return state_->memory() + splat_image_.memory(); }
 
-void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_state) {
+void Renderer::lay_out_tiles() {
   columns_ = tiles_across(region_.right(), PixelBlock::kWidth) - region_.x / PixelBlock::kWidth;
   const int rows = tiles_across(region_.bottom(), PixelBlock::kHeight) - region_.y / PixelBlock::kHeight;
   tiles_ = static_cast<size_t>(columns_ * rows);
+}
+
+void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_state) {
+  lay_out_tiles();
   film.set_first_sample(first_sample_);
   if (adaptive_ != Adaptive::off) {
     std::vector<int> pixels(tiles_);
@@ -58,6 +63,18 @@ void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_sta
   }
   samples_ = samples_of(film);
   if (!integrator_state.empty()) state_->restore(integrator_state);
+}
+
+// A step that only samples blocks may be abandoned: blocks that have its sample are skipped when it is taken again.
+bool Renderer::restrict_to(const std::optional<PixelRect>& region, const film::Film& film) {
+  const bool only_blocks = stages_.size() == 1 && stages_.front().kind == Stage::Kind::blocks;
+  if (is_in_step() && !only_blocks) return false;
+  stages_.clear();
+  open_tasks_.clear();
+  region_ = region.value_or(part_);
+  lay_out_tiles();
+  samples_ = samples_of(film);
+  return true;
 }
 
 // The samples that the current step takes, counted within each half-buffer.

@@ -42,6 +42,11 @@ class Renderer {
       ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& still_needed = [] { return true; });
 
+  // Restricts the following steps to a region of whole pixel blocks, or to all pixels of the document's part. `samples`
+  // then counts those of that region. Not with adaptive sampling. Returns false, and changes nothing, while a step is in
+  // progress that has to be completed.
+  bool restrict_to(const std::optional<PixelRect>& region, const film::Film& film);
+
   // Whether a step has been begun and is not complete.
   bool is_in_step() const { return !stages_.empty(); }
   // The next step takes the sample of this number. Between steps only, and not with adaptive sampling.
@@ -98,6 +103,8 @@ class Renderer {
   // The pixels of a block that are rendered: all, unless it lies on the boundary of the region.
   PixelBlock visible(const PixelBlock& block) const;
 
+  void lay_out_tiles();
+
   // Scheduling of stages.
   void plan_step();
   bool run_stage(ThreadPool& workers, const StepContext& step, const std::function<bool()>& keep_going);
@@ -116,6 +123,7 @@ class Renderer {
   PreparedDocument prepared_;
   int width_, height_;
   uint32_t first_sample_;
+  PixelRect part_;    // the pixels of the document's part
   PixelRect region_;  // the pixels that are rendered
   Adaptive adaptive_;
   std::unique_ptr<integrator::RenderState> state_;

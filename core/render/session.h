@@ -20,6 +20,7 @@
 #include "integrator/solution_view.h"
 #include "render/display_frame.h"
 #include "render/document.h"
+#include "render/focus.h"
 #include "render/reliability.h"
 #include "render/resume_point.h"
 #include "render/time_estimate.h"
@@ -53,6 +54,7 @@ struct Status {
   bool finished = false;                // a limit was reached
   double progress = 0;                  // towards the nearest limit, 0 to 1
   std::optional<Prediction> time_left;  // until the nearest limit, if there is one and the time can be predicted
+  std::optional<FocusStatus> focus;     // if the session has one; limits then refer to its region
 };
 
 struct SessionOptions {
@@ -89,6 +91,10 @@ class Session {
   std::vector<double> take_latencies();
   // Milliseconds from `submit` until the workers had stopped and the edit was taken up, oldest first. Clears the list.
   std::vector<double> take_restart_latencies();
+
+  // The region that receives all samples from now on, in pixels; nothing: all pixels alike (focus.h). Neither restarts the
+  // rendering. A region that is not inside the image is ignored.
+  void set_focus(const std::optional<PixelRect>& region);
 
   // `wake` is called on the session's thread for each new frame, to wake up an event loop. Set it before `submit`.
   void on_update(std::function<void()> wake);

@@ -67,6 +67,14 @@ class Session::Impl {
     return paused_;
   }
 
+  void set_focus(const std::optional<PixelRect>& region) {
+    const std::lock_guard lock(mutex_);
+    if (focus_ == region) return;
+    focus_ = region;
+    status_.finished = false;
+    interrupt();
+  }
+
   std::shared_ptr<const Frame> frame() const {
     const std::lock_guard lock(mutex_);
     return frame_;
@@ -162,8 +170,10 @@ class Session::Impl {
         continue;
       }
       interrupt_ = !edits_.empty();
+      const auto focus = focus_;
       lock.unlock();
-      render_slice();
+      render_.set_focus(focus);
+      render_slice(focus);
       lock.lock();
     }
   }
@@ -223,7 +233,8 @@ class Session::Impl {
     frame_ = std::move(frame);
   }
 
-  void render_slice() {
+  // `focus` is that of the slice. If it has been changed since, limits may not have been reached.
+  void render_slice(const std::optional<PixelRect>& focus) {
     if (render_.needs_preview()) {
       publish(render_.render_preview([&](const Renderer& renderer) {
         const std::lock_guard lock(mutex_);
@@ -232,9 +243,10 @@ class Session::Impl {
       return;
     }
     if (!render_.render_slice()) return;
-    const bool finished = render_.update_statistics();
+    bool finished = render_.update_statistics();
     {
       const std::lock_guard lock(mutex_);
+      finished = finished && focus_ == focus;
       render_.write_status(status_, finished);
       update_sharing();
       if (finished) idle_.notify_all();
@@ -263,6 +275,7 @@ class Session::Impl {
   mutable std::mutex mutex_;
   std::condition_variable changed_, idle_, render_free_;
   EditQueue edits_;
+  std::optional<PixelRect> focus_;
   bool paused_ = false, quit_ = false, stopped_ = false;
   bool render_is_free_ = true;  // the session's thread does not use render_
   int waiting_copies_ = 0;      // callers that wait for render_is_free_
@@ -287,6 +300,7 @@ uint64_t Session::submit(const Document& document) { return impl_->submit(docume
 uint64_t Session::submit(const Document& document, ResumePoint start) {
   return impl_->submit(document, std::move(start));
 }
+void Session::set_focus(const std::optional<PixelRect>& region) { impl_->set_focus(region); }
 void Session::restart() { impl_->restart(); }
 void Session::pause(bool paused) { impl_->pause(paused); }
 bool Session::paused() const { return impl_->paused(); }

@@ -24,15 +24,19 @@ void add_edit_actions(ActionList& actions) {
       {.name = "edit.deselect",
        .menu = "Edit",
        .label = "Deselect all",
-       .tooltip = "Clears the selection and deactivates the tool for the next click",
+       .tooltip = "Clears the selection and the region of interest, and deactivates the tool for the next click",
        .shortcut = "escape",
        .run =
            [](AppState& state) {
              state.selection = {};
              state.viewport.click_tool.reset();
+             state.viewport.focus.clear();
            },
        .enabled =
-           [](const AppState& state) { return state.selection.node >= 0 || state.viewport.click_tool.has_value(); }});
+           [](const AppState& state) {
+             const FocusRegion& focus = state.viewport.focus;
+             return state.selection.node >= 0 || state.viewport.click_tool || focus.exists() || focus.is_selecting();
+           }});
 }
 
 }  // namespace etendue::viewer

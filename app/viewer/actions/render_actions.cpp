@@ -23,6 +23,26 @@ void add_render_actions(ActionList& actions) {
                .shortcut = "r",
                .run = [](AppState& state) { state.session->restart(); },
                .enabled = has_document});
+  actions.add({.name = "view.region",
+               .menu = "View",
+               .label = "Region of interest",
+               .tooltip = "A rectangle of the image, which you drag with the left button, receives all samples. It has "
+                          "an error of its own, to which the limits refer",
+               .shortcut = "b",
+               .run = toggle_focus_region,
+               .enabled = has_document,
+               .checked =
+                   [](const AppState& state) {
+                     return state.viewport.focus.exists() || state.viewport.focus.is_selecting();
+                   },
+               .section = "framing"});
+  actions.add({.name = "view.clear-region",
+               .menu = "View",
+               .label = "Clear region",
+               .tooltip = "Samples the whole image again. Pixels with fewer samples come first",
+               .run = [](AppState& state) { state.viewport.focus.clear(); },
+               .enabled = [](const AppState& state) { return state.viewport.focus.exists(); },
+               .section = "framing"});
 }
 
 }  // namespace etendue::viewer

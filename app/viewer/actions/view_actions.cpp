@@ -181,6 +181,22 @@ void add_animation_actions(ActionList& actions) {
                .enabled = is_animated,
                .checked = [](const AppState& state) { return state.viewport.playback.is_playing; },
                .section = "animation"});
+  actions.add({.name = "animation.previous-frame",
+               .menu = "View",
+               .label = "Previous frame",
+               .tooltip = "Moves the time of the animations back by one frame of the timeline",
+               .shortcut = ",",
+               .run = [](AppState& state) { step_frame(state, -1); },
+               .enabled = is_animated,
+               .section = "animation"});
+  actions.add({.name = "animation.next-frame",
+               .menu = "View",
+               .label = "Next frame",
+               .tooltip = "Moves the time of the animations on by one frame of the timeline",
+               .shortcut = ".",
+               .run = [](AppState& state) { step_frame(state, 1); },
+               .enabled = is_animated,
+               .section = "animation"});
 }
 
 void add_interface_actions(ActionList& actions) {

@@ -189,6 +189,10 @@ void draw_parts(AppState& state, StatusLine& line) {
     line.add(remaining_time(*status.time_left),
              "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
   line.add_error(error_text(status), status.measure);
+  if (status.focus && status.focus->error.known)
+    line.add("region " + film::error_text(status.measure, status.focus->error.value),
+             formatted("The same error of the region of interest, which has %u samples per pixel", status.focus->samples)
+                 .c_str());
   if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0) line.add_invalid(status.rejected.total());
   if (state.options.sharing) add_ranks(line, state.options.sharing->status());

@@ -1,13 +1,17 @@
 // The camera: projection, lens, focus, position and orientation.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "camera/lens_units.h"
 #include "render/document.h"
 #include "render/session.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
 #include "viewer/viewport/viewport.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -77,6 +81,48 @@ void focus_checkbox(AppState& state) {
   if (active) state.notices.add_message("Click the surface to focus on.");
 }
 
+// The lens in the terms of photography. Lengths are in millimetres.
+struct PhotographicLens {
+  Number<float> sensor_height{"lens.sensor-height",
+                              "Sensor height",
+                              static_cast<float>(kFullFrameHeight),
+                              {0.1f, 1000},
+                              "Converts angles of view to focal lengths; it does not change the image. 24 is full frame, 15.6 "
+                              "APS-C, 13 Micro Four Thirds",
+                              "mm",
+                              Scale::logarithmic};
+  Number<float> focal_length{"lens.focal-length",
+                             "Focal length",
+                             50,
+                             {0.01f, 1e6f},
+                             "Longer lenses have a smaller field of view. The f-number stays",
+                             "mm",
+                             Scale::logarithmic};
+  Number<float> f_number{"lens.f-number",
+                         "f-number",
+                         0,
+                         {0, 1e6f},
+                         "Focal length divided by the diameter of the lens. Smaller numbers have a shallower depth of field; "
+                         "0: pinhole",
+                         "",
+                         Scale::logarithmic};
+  auto all() { return std::tie(sensor_height, focal_length, f_number); }
+
+  void read(const Camera& camera) {
+    const double f = etendue::focal_length(static_cast<double>(camera.yfov), static_cast<double>(sensor_height.value));
+    focal_length.value = static_cast<float>(f);
+    f_number.value = static_cast<float>(etendue::f_number(f, 1000 * static_cast<double>(camera.lens_radius)));
+  }
+  Camera applied_to(Camera camera) const {
+    const auto f = static_cast<double>(focal_length.value);
+    constexpr double kLeastAngle = 1e-3, kLargestAngle = 3.1;  // of camera.yfov
+    const double angle = angle_of_view(f, static_cast<double>(sensor_height.value));
+    camera.yfov = static_cast<float>(std::clamp(angle, kLeastAngle, kLargestAngle));
+    camera.lens_radius = static_cast<float>(lens_radius(f, static_cast<double>(f_number.value)) / 1000);
+    return camera;
+  }
+};
+
 class CameraPanel final : public Panel {
  public:
   PanelInfo info() const override {
@@ -98,6 +144,8 @@ class CameraPanel final : public Panel {
       section_widgets_for(state, "camera", {"lens-radius", "focus-distance", "shutter"});
       focus_checkbox(state);
     }
+    const bool perspective = state.document().camera.projection == Projection::perspective;
+    if (perspective && group(ui, "Photographic lens", "lens.")) draw_photographic_lens(state);
     if (group(ui, "Position", "camera.eye.")) section_widgets_for(state, "camera", {"eye.x", "eye.y", "eye.z"});
     const bool axis_requested = ui.items.is_requested_below("camera.right") ||
                                 ui.items.is_requested_below("camera.up") || ui.items.is_requested_below("camera.back");
@@ -107,6 +155,8 @@ class CameraPanel final : public Panel {
                           {"right.x", "right.y", "right.z", "up.x", "up.y", "up.z", "back.x", "back.y", "back.z"});
   }
 
+  std::vector<ParameterInfo> parameters() const override { return describe_all(PhotographicLens().all()); }
+
   std::vector<ItemInfo> items() const override {
     return {{"camera.choose", "Camera", "Opens the list of the cameras of the file"},
             {"camera.choose.N", "Camera N", "Uses camera N of the open list"},
@@ -115,8 +165,33 @@ class CameraPanel final : public Panel {
 
   bool reveal_parameter(AppState&, const std::string& name) override {
     // The exposure is in the Display panel.
-    return name.starts_with("camera.") && name != "camera.exposure";
+    return (name.starts_with("camera.") && name != "camera.exposure") || name.starts_with("lens.");
   }
+
+ private:
+  // Focal length and f-number are edits of the field of view and the lens radius.
+  void draw_photographic_lens(AppState& state) {
+    lens_.read(state.document().camera);
+    const auto edited = [&](Number<float>& number) {
+      const auto value = parameter_widget(state, describe(number));
+      if (value) number.value = static_cast<float>(std::get<double>(*value));
+      return value.has_value();
+    };
+    edited(lens_.sensor_height);
+    const auto apply = [&](const char* name, const char* gesture) {
+      state.edit_camera(lens_.applied_to(state.document().camera), name, gesture);
+      is_edited_ = true;
+    };
+    if (edited(lens_.focal_length)) apply("Focal length", "lens.focal-length");
+    if (edited(lens_.f_number)) apply("f-number", "lens.f-number");
+    // A drag is one step of undo.
+    if (!is_edited_ || ImGui::IsAnyItemActive()) return;
+    state.editor->end_gesture();
+    is_edited_ = false;
+  }
+
+  PhotographicLens lens_;
+  bool is_edited_ = false;  // since the last end of a gesture
 };
 
 }  // namespace

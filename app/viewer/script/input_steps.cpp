@@ -46,7 +46,8 @@ class SetStep final : public Step {
   bool reveal(AppState& state) const {
     if (name_.starts_with("files.")) return state.files.request.has_value();
     if (name_.starts_with("preferences.")) return state.interface.preferences_open = true;
-    if (name_ == "layout.filter" || name_ == "layout.bottom-filter") return state.interface.visible = true;
+    if (name_ == "layout.filter" || name_ == "layout.bottom-filter" || name_ == "timeline.fps")
+      return state.interface.visible = true;
     if (!state.panels.reveal_parameter(state, name_)) return false;
     state.interface.visible = true;
     return true;

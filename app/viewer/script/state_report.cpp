@@ -90,6 +90,15 @@ json pixel_report(const AppState& state, const std::optional<Vec2i>& pixel) {
   return j;
 }
 
+json region_report(const render::Status& status) {
+  if (!status.focus) return nullptr;
+  const render::FocusStatus& focus = *status.focus;
+  const render::PixelRect& r = focus.region;
+  json j{{"pixels", {r.x, r.y, r.width, r.height}}, {"samples", focus.samples}, {"note", focus.incompatibility}};
+  if (focus.error.known) j["error"] = focus.error.value;
+  return j;
+}
+
 json ranks_report(const AppState& state) {
   if (!state.options.sharing) return nullptr;
   const render::SharingStatus status = state.options.sharing->status();
@@ -174,6 +183,7 @@ std::string state_report(AppState& state) {
     j["pixel_values"] = {{"pointer", pixel_report(state, pixel_under_pointer(state))},
                          {"pinned", pixel_report(state, state.viewport.pinned_pixel)},
                          {"window", placement_json(state.viewport.pixel_readout->window().placement())}};
+  j["region"] = region_report(status);
   for (const auto& panel : state.panels.all()) panel->report(state, j);
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

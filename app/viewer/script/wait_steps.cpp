@@ -78,7 +78,13 @@ std::vector<WaitCondition> viewport_conditions() {
       return impossible("pixel values are computed while they are shown; click view.pixel-values first");
     return {.done = state.viewport.pixel_readout->errors() != nullptr};
   };
-  return {{.name = "comparison", .check = comparison, .needs_frames = true},
+  const auto limit = [](AppState& state, std::optional<uint32_t>) -> StepStatus {
+    const auto status = state.session->status();
+    if (!state.document().limits.any()) return impossible("the rendering has no limit; set one first");
+    return {.done = status.version == state.editor->version() && status.finished};
+  };
+  return {{.name = "limit", .check = limit},
+          {.name = "comparison", .check = comparison, .needs_frames = true},
           {.name = "points", .check = points},
           {.name = "aov", .check = aov},
           {.name = "pixel-values", .check = pixel_values}};

@@ -72,6 +72,7 @@ const std::vector<ItemInfo>& layout_items() {
       {"layout.filter.clear", "Clear", "Shows all parameters of the panel"},
       {"layout.bottom-filter", "Filter", "Shows only the parameters of the bottom panel that contain this text"},
       {"layout.bottom-filter.clear", "Clear", "Shows all parameters of the bottom panel"},
+      {"timeline.fps", "Frame rate", "Frames per second of the timeline"},
       {"pixel-values.window", "Pixel values", "Drag to move the window; double-click to reset its place"},
       {"menu.reset", "Reset", "Resets the parameter whose context menu is open"},
       {"menu.copy", "Copy values", "Copies the values of a colour, a vector or a rotation"},

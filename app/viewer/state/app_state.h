@@ -25,6 +25,7 @@
 #include "viewer/viewer.h"
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/first_view.h"
+#include "viewer/viewport/focus_region.h"
 #include "viewer/viewport/image_zoom.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/viewport/timeline.h"
@@ -101,6 +102,7 @@ struct ViewportState {
   Playback playback;
   float height_of_notices = 0;  // of the messages over the lower edge of the image, pixels
   std::optional<ClickTool> click_tool;
+  FocusRegion focus;
   Gizmo gizmo;
   NodePlaces node_places;
   bool show_icons = true;  // of lights and cameras

@@ -4,6 +4,7 @@
 
 #include "camera/camera.h"
 #include "geometry/mesh.h"
+#include "render/image_sequence.h"
 #include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
@@ -41,11 +42,7 @@ void move_to(Camera& camera, const Vec3& eye) { camera.to_world[3] = Vec4(eye, 1
 
 void CameraController::reset_pivot(const Camera& camera, const scene::CompiledScene& scene) {
   const Bounds& bounds = scene.bounds();
-  const Ray axis{eye_of(camera), 0, -back_of(camera), kInfinity};
-  const Hit hit = scene.intersect(axis, 0);
-  const float to_centre = bounds.empty() ? 1.0f : glm::dot(bounds.center() - axis.origin, axis.direction);
-  const float distance = hit ? hit.t : std::max(to_centre, 0.1f * std::max(bounds.radius(), 1e-3f));
-  pivot_ = axis.origin + axis.direction * distance;
+  pivot_ = render::orbit_centre(camera, scene);
   fly_speed_ = bounds.empty() ? 1.0f : std::max(0.4f * bounds.radius(), 1e-4f);
 }
 

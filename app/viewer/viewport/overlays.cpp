@@ -198,6 +198,7 @@ void draw_viewport_overlays(AppState& state) {
   const bool shows_map = comparison.map() && !comparison.reference_is_shown();
   if (viewport.false_color && viewport.aov_name.empty() && !shows_map) draw_false_color_scale(state, draw);
   if (state.interface.visible) viewport.gizmo.draw(state, *draw);
+  viewport.focus.draw(state);
   draw_comparison_overlay(state, draw);
   for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
   if (state.interface.visible) {

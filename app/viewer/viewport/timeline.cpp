@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/display_frame.h"
@@ -13,13 +14,17 @@
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 constexpr const char* kTimeSlider = "timeline.time";
+constexpr const char* kFrameRate = "timeline.fps";
 constexpr const char* kGesture = "timeline";
+constexpr std::array kFrameRates{12, 24, 25, 30, 50, 60};
+constexpr float kWidth = 40, kNarrowWidth = 30;  // times the font size; a narrow bar has no frame rate
 constexpr double kMinStep = 1.0 / 30, kMaxStep = 1.0 / 12;  // seconds between images
 
 void set_time(AppState& state, float time) {
@@ -27,6 +32,31 @@ void set_time(AppState& state, float time) {
   const bool is_saved = !state.editor->has_unsaved_scene_edits();
   state.edit(*parameter, static_cast<double>(time), kGesture);
   if (is_saved) state.editor->mark_scene_saved(state.document().scene);
+}
+
+// The frame at the present time, and the last one that is not after the end.
+int64_t present_frame(const AppState& state) {
+  return std::llround(static_cast<double>(state.document().scene->time) * state.viewport.playback.frames_per_second);
+}
+int64_t last_frame(const AppState& state) {
+  const auto duration = static_cast<double>(scene::animation_duration(*state.document().scene));
+  return static_cast<int64_t>(std::floor(duration * state.viewport.playback.frames_per_second + 1e-6));
+}
+
+void draw_frame_rate(AppState& state, float width) {
+  ParameterInfo info;
+  info.name = kFrameRate;
+  info.label = "Frame rate";
+  info.doc = "Frames per second of the steps with the keys , and . and of the number of the frame";
+  info.type = ParameterType::choice;
+  for (const int rate : kFrameRates) {
+    info.options.push_back(std::to_string(rate));
+    info.option_labels.push_back(std::to_string(rate) + " fps");
+  }
+  info.default_value = std::to_string(state.viewport.playback.frames_per_second);
+  ImGui::SameLine();
+  if (const auto chosen = compact_choice(state, info, width))
+    state.viewport.playback.frames_per_second = std::stoi(std::get<std::string>(*chosen));
 }
 
 // Waits for the full resolution, but not longer than kMaxStep.
@@ -64,13 +94,21 @@ void advance_playback(AppState& state, float seconds) {
   set_time(state, std::fmod(next, scene::animation_duration(scene)));
 }
 
+void step_frame(AppState& state, int step) {
+  state.viewport.playback.is_playing = false;
+  const int64_t count = last_frame(state) + 1;
+  const int64_t frame = ((present_frame(state) + step) % count + count) % count;
+  set_time(state, static_cast<float>(static_cast<double>(frame) / state.viewport.playback.frames_per_second));
+}
+
 void draw_timeline(AppState& state) {
   Playback& playback = state.viewport.playback;
   playback.bar_height = 0;
   if (!is_animated(state)) return;
   const Placement& region = state.viewport.region;
   const float em = ImGui::GetFontSize();
-  const float width = std::min(region.size.x - 20, em * 34);
+  const float width = std::min(region.size.x - 20, em * kWidth);
+  const bool is_narrow = width < em * kNarrowWidth;
   if (width < em * 12) return;
   ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - 10},
                           ImGuiCond_Always, {0.5f, 1});
@@ -80,11 +118,13 @@ void draw_timeline(AppState& state) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   action_button(state, "animation.play");
+  if (!is_narrow) draw_frame_rate(state, em * 5);
   ImGui::SameLine();
   const float duration = scene::animation_duration(*state.document().scene);
   float time = state.document().scene->time;
-  const std::string text = formatted("%.2f / %.2f s", static_cast<double>(time), static_cast<double>(duration));
-  ImGui::SetNextItemWidth(-em * 7);
+  const std::string text = formatted("%.2f / %.2f s", static_cast<double>(time), static_cast<double>(duration)) +
+                           (is_narrow ? "" : formatted(", frame %lld", static_cast<long long>(present_frame(state))));
+  ImGui::SetNextItemWidth(-em * (is_narrow ? 7 : 12));
   const bool moved = ImGui::SliderFloat("##time", &time, 0, duration, "");
   state.ui.items.add(kTimeSlider);
   if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which the animations of the file are evaluated");

@@ -69,7 +69,7 @@ void ViewportController::handle_input(AppState& state, float seconds) {
   const bool hovered = !ImGui::GetIO().WantCaptureMouse && state.viewport.region.contains(input.mouse);
   const bool moves_divider = drag_ == Drag::none && divider_.handle_input(state, hovered);
   // A click with an active tool belongs to the tool, also over the handles.
-  const bool reaches_handles = hovered && !state.viewport.click_tool;
+  const bool reaches_handles = hovered && !state.viewport.click_tool && !state.viewport.focus.is_selecting();
   const bool moves_object =
       drag_ == Drag::none && !moves_divider && state.viewport.gizmo.handle_input(state, reaches_handles);
   if (drag_ == Drag::none && hovered && !moves_divider && !moves_object) begin_drag(state);
@@ -89,6 +89,7 @@ void ViewportController::begin_drag(AppState& state) {
   // A fitted image has nothing beyond the viewport, so the camera moves.
   if (pressed(Button::middle)) drag_ = state.viewport.zoom.is_fitted() ? Drag::pan : Drag::move_image;
   if (pressed(Button::right)) drag_ = Drag::fly;
+  if (drag_ == Drag::orbit && state.viewport.focus.is_selecting()) drag_ = Drag::region;
   if (drag_ == Drag::none) return;
   state.editor->end_gesture();
   drag_start_ = input.mouse;
@@ -105,6 +106,7 @@ void ViewportController::continue_drag(AppState& state) {
   const Camera& camera = state.document().camera;
   CameraController& controller = state.viewport.camera_controller;
   const float height = state.viewport.image.size.y;
+  if (drag_ == Drag::region) state.viewport.focus.drag(state, drag_start_, position);
   if (drag_ == Drag::move_image) state.viewport.zoom = moved(state, movement);
   if (drag_ == Drag::orbit) state.edit_camera(controller.orbit(camera, movement), "Orbit", "camera.orbit");
   if (drag_ == Drag::pan) state.edit_camera(controller.pan(camera, movement, height), "Pan", "camera.pan");
@@ -125,6 +127,7 @@ void ViewportController::end_drag(AppState& state) {
   const auto is_down = [&](Button b) { return buttons[static_cast<size_t>(b)]; };
   const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
   if (held) return;
+  if (drag_ == Drag::region) state.viewport.focus.end_drag();
   if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
   if (drag_ == Drag::fly && !moved_) state.interface.menu_position = drag_start_;
   if (drag_ == Drag::fly && moved_) {

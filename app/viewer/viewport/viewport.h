@@ -16,7 +16,7 @@ class ViewportController {
 
  private:
   using Clock = std::chrono::steady_clock;
-  enum class Drag { none, orbit, pan, fly, move_image };
+  enum class Drag { none, orbit, pan, fly, move_image, region };
 
   void begin_drag(AppState& state);
   void continue_drag(AppState& state);

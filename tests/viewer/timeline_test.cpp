@@ -1,0 +1,31 @@
+// The timeline: steps by frames.
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+TEST_F(Viewer, TimelineStepsByFrames) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const std::string file = std::string(data) + "/gltf/Fox.glb";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
+                             file_step("state", path("start.json")),
+                             key("."),
+                             key("."),
+                             file_step("state", path("second.json")),
+                             set("timeline.fps", "50"),
+                             key(","),
+                             file_step("state", path("fifty.json"))}),
+                file, 1280, 720),
+            0);
+  const auto parameter = [&](const char* report, const char* name) { return state(report)["parameters"][name]; };
+  EXPECT_EQ(parameter("start.json", "scene.time"), 0);
+  EXPECT_NEAR(parameter("second.json", "scene.time").get<double>(), 2.0 / 24, 1e-6);
+  // 2 / 24 s is next to frame 4 of 50 per second.
+  EXPECT_NEAR(parameter("fifty.json", "scene.time").get<double>(), 3.0 / 50, 1e-6);
+  EXPECT_EQ(state("fifty.json")["edited"], false);
+}
+
+}  // namespace
+}  // namespace etendue
