@@ -6,18 +6,19 @@
 //
 //   x(q, i) = scramble(C i + P^T C q)   modulo 2
 //
-// C is the generator matrix of the coordinate, P^T the transposed Pascal matrix, i the sample. Each sequence over i is a
-// digital shift of the same net, so that each pixel has the variance of `pmj02`. With P^T, the 2^m samples of the 2^k pixels
-// of each aligned part of the tile together have one value in each of 2^(m + k) intervals, for all m and k, because all
-// square parts of consecutive rows and the first columns of P^T are regular [Lang, sec. 7.2.4]. Errors of neighbouring
-// pixels therefore cancel: the noise is of high frequency.
+// C is the generator matrix of the coordinate, P^T the transposed Pascal matrix, i the sample. The points of a pixel are a
+// digital shift of the net of `pmj02`, so that each pixel has its variance. From sample 2 on, each pixel has its own order of
+// samples within the groups of 2^h samples that follow 2^h. With P^T, the first 2^m samples of the 2^k pixels of each aligned
+// part of the tile together have one value in each of 2^(m + k) intervals, for all m and k, because all square parts of
+// consecutive rows and the first columns of P^T are regular [Lang, sec. 7.2.4]. Errors of neighbouring pixels that come from
+// single decisions therefore cancel: the noise is of high frequency.
 //
 //   Properties    As `pmj02` for each pixel. Over the pixels of a tile, the first sample of each two-dimensional decision is
 //                 a net as well. Progressive; helps most with one to four samples per pixel, and where few decisions
 //                 determine the error.
-//   Cost          about 1.6 times that of `pmj02`
+//   Cost          about 1.7 times that of `pmj02`
 //   Limitations   Errors of neighbouring pixels are correlated. Noise that depends on many decisions, like that of
-//                 indirect light, stays white. Further light samples and branches of a path have independent numbers.
+//                 indirect light, stays nearly white. Further light samples and branches of a path have independent numbers.
 #pragma once
 #include "sampling/sampler.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scripted.h"
-#include "viewer/panels/sample_points_view.h"
+#include "viewer/panels/interval_grid.h"
 #include "viewer/tasks/pixel_samples_task.h"
 
 namespace etendue {

@@ -1,5 +1,7 @@
 #include "viewer/panels/sample_points_view.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
