@@ -411,12 +411,15 @@ class SamplingPanel final : public Panel {
     const float em = ImGui::GetFontSize();
     const int squares = settings_.compared == kNoSampler ? 1 : 2;
     const float square = std::min(available.y - em * 0.2f, available.x * 0.27f);
-    const float width = std::max(1.0f, (available.x - static_cast<float>(squares) * (square + em)) * 0.5f);
+    const float rest = available.x - static_cast<float>(squares) * (square + em);
+    // The histogram gives way to the second square if both charts would be too narrow for their labels.
+    const bool has_histogram = squares == 1 || rest >= 24 * em;
+    const float width = std::max(1.0f, has_histogram ? rest * 0.5f : rest);
     const Vec2 corner(screen_corner.x, screen_corner.y);
     draw_running_mean(ui, draw, {corner, {width, available.y}}, *statistics);
-    draw_histogram(ui, draw, {corner + Vec2(width, 0), {width, available.y}}, *statistics);
+    if (has_histogram) draw_histogram(ui, draw, {corner + Vec2(width, 0), {width, available.y}}, *statistics);
     const PointCache& points = sample_points(state, statistics->pixel);
-    Placement frame{corner + Vec2(2 * width + em, 0), {square, square}};
+    Placement frame{corner + Vec2((has_histogram ? 2 : 1) * width + em, 0), {square, square}};
     const IntervalShape intervals = settings_.intervals.value;
     draw_sample_points(ui, draw, frame, sampler_label(state.document().method.sampler), points.points, intervals);
     if (squares == 1) return;
