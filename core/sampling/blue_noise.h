@@ -16,7 +16,7 @@
 //   Properties    As `pmj02` for each pixel. Over the pixels of a tile, the first sample of each two-dimensional decision is
 //                 a net as well. Progressive; helps most with one to four samples per pixel, and where few decisions
 //                 determine the error.
-//   Cost          about 1.7 times that of `pmj02`
+//   Cost          about 1.6 times that of `pmj02`
 //   Limitations   Errors of neighbouring pixels are correlated. Noise that depends on many decisions, like that of
 //                 indirect light, stays nearly white. Further light samples and branches of a path have independent numbers.
 #pragma once
