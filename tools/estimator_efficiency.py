@@ -5,12 +5,15 @@
 
 Efficiency is 1 / (mean squared error x processor time of rendering). All settings render a scene in turn with the same
 seeds on one thread and are compared with a reference of another seed. The time of a rendering of one sample is
-subtracted. A value above 1 helps. The settings of a list are separated by commas, those that belong together by "+"."""
+subtracted. A value above 1 helps. The settings of a list are separated by commas, those that belong together by "+".
+integrator=NAME and sampler=NAME select these; other settings are parameters of the integrator."""
 import argparse, json, os, resource, subprocess, tempfile
 
 SCENES = "cornell,glossy-plates,many-lights,door-ajar,glass-caustic"
 SETTINGS = ("heuristic=balance,heuristic=cutoff,heuristic=maximum,heuristic=constant,heuristic=partition,light-samples=2,"
-            "light-samples=4,lights=every,roulette-start=64,survival-rule=albedo,survival-rule=constant,least-survival=0.5")
+            "light-samples=4,lights=every,roulette-start=64,survival-rule=albedo,survival-rule=constant,least-survival=0.5,"
+            "integrator=distribution+branching=first-rough+branches-1=4,integrator=distribution+branches-1=2+branches-2=2,"
+            "sampler=random,sampler=antithetic,sampler=blue-noise")
 
 
 def run(program, *arguments):
@@ -37,9 +40,11 @@ def main():
         reference, image = os.path.join(folder, "reference.exr"), os.path.join(folder, "image.exr")
 
         def render(scene, spp, seed, output, setting="", threads=1):
-            sets = [a for s in setting.split("+") if s for a in ("--set", f"path.{s}")]
+            values = dict(s.split("=", 1) for s in setting.split("+") if s)
+            integrator, sampler = values.pop("integrator", "path"), values.pop("sampler", "sobol")
+            sets = [a for name, value in values.items() for a in ("--set", f"{integrator}.{name}={value}")]
             return run(o.etendue, "render", scene, "--size", f"{o.size}x{o.size}", "--spp", str(spp), "--seed", str(seed),
-                       "--integrator", "path", "--threads", str(threads), *sets, "-o", output)[1]
+                       "--integrator", integrator, "--sampler", sampler, "--threads", str(threads), *sets, "-o", output)[1]
 
         for scene in scenes:
             render(scene, o.reference, 1000, reference, threads=0)

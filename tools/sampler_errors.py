@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Mean squared errors of the samplers on several scenes, as a table.
 
-  tools/sampler_errors.py [--etendue PROGRAM] [--samplers LIST] [--scenes LIST] [--spp LIST] [--seeds N] [--size N]
+  tools/sampler_errors.py [--etendue PROGRAM] [--samplers LIST] [--scenes LIST] [--spp LIST] [--seeds N] [--size N] [--low-pass SIGMA]
 
 Renders each scene with `path` and every sampler, and compares it with a reference that takes 64 times the largest
 number of samples with another seed. A sampler may have settings: hammersley:scrambling=rotation. The values are the mean
-over the seeds, relative to the first sampler of the list."""
+over the seeds, relative to the first sampler of the list. With --low-pass, both images are filtered by a Gaussian of this
+standard deviation in pixels first: the error that is seen from a distance."""
 import argparse, json, math, os, subprocess, tempfile
 
 DEFAULT_SCENES = "cornell,cornell-spheres,glossy-plates,spot-indirect,many-lights,door-ajar,god-rays"
@@ -24,8 +25,8 @@ def render(program, scene, size, samples, seed, output, sampler="sobol"):
         "--sampler", name, *(a for s in settings for a in ("--set", f"{name}.{s}")), "-o", output)
 
 
-def squared_error(program, image, reference):
-    return json.loads(run(program, "compare", image, reference, "--json"))["mse"]
+def squared_error(program, image, reference, low_pass):
+    return json.loads(run(program, "compare", image, reference, "--low-pass", str(low_pass), "--json"))["mse"]
 
 
 def main():
@@ -36,6 +37,8 @@ def main():
     options.add_argument("--spp", default="16,64,256")
     options.add_argument("--seeds", type=int, default=4)
     options.add_argument("--size", type=int, default=48)
+    options.add_argument("--low-pass", type=float, default=0)
+    options.add_argument("--reference-spp", type=int, help="default: 64 times the largest number of samples")
     o = options.parse_args()
     samplers, counts = o.samplers.split(","), [int(n) for n in o.spp.split(",")]
     ratios = {(s, n): [] for s in samplers for n in counts}
@@ -44,7 +47,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for scene in o.scenes.split(","):
             reference, image = os.path.join(folder, "reference.exr"), os.path.join(folder, "image.exr")
-            render(o.etendue, scene, o.size, 64 * max(counts), 1000, reference)
+            render(o.etendue, scene, o.size, o.reference_spp or 64 * max(counts), 1000, reference)
             label = os.path.splitext(os.path.basename(scene))[0]
             for n in counts:
                 errors = {}
@@ -52,7 +55,7 @@ def main():
                     total = 0
                     for seed in range(o.seeds):
                         render(o.etendue, scene, o.size, n, seed, image, s)
-                        total += squared_error(o.etendue, image, reference)
+                        total += squared_error(o.etendue, image, reference, o.low_pass)
                     errors[s] = total / o.seeds
                     ratios[s, n].append(math.log(errors[s] / errors[samplers[0]]))
                 first = errors[samplers[0]]

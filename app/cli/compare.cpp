@@ -8,6 +8,7 @@
 #include "json.h"
 #include "metrics/flip.h"
 #include "metrics/heat_map.h"
+#include "metrics/low_pass.h"
 #include "metrics/metrics.h"
 #include "render/image_output.h"
 #include "scene_options.h"
@@ -18,7 +19,7 @@ namespace {
 struct CompareArguments {
   std::string image, reference, heat_map, heat_map_metric = "absolute";
   bool json = false;
-  double max_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree;
+  double max_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree, low_pass = 0;
 };
 
 // FLIP compares displayed images. The display settings are those that the reference carries, or the defaults.
@@ -64,10 +65,14 @@ bool is_black_image(const image::LayeredImage& image) {
 }
 
 int run_compare(const CompareArguments& a) {
-  const auto image = image::read_linear(a.image);
+  auto image = image::read_linear(a.image);
   if (!image) return fail(image.error());
-  const auto reference = image::read_linear(a.reference);
+  auto reference = image::read_linear(a.reference);
   if (!reference) return fail(reference.error());
+  if (a.low_pass > 0) {
+    *image = metrics::low_passed(*image, a.low_pass);
+    *reference = metrics::low_passed(*reference, a.low_pass);
+  }
   const auto m = metrics::compare(*image, *reference);
   if (!m) return fail(m.error());
   const auto flip = metrics::flip_map(*image, *reference, look_of(*reference, a.pixels_per_degree));
@@ -120,6 +125,11 @@ Command compare_command() {
                        .target = &a->pixels_per_degree,
                        .doc = "Resolution of the display for FLIP, in pixels per degree of visual angle",
                        .bounds = between(1, 1000)},
+                      {.names = "--low-pass",
+                       .target = &a->low_pass,
+                       .doc = "Compare after a Gaussian filter of this standard deviation, in pixels: the error that is "
+                              "seen from a distance. 0: no filter",
+                       .bounds = between(0, 100)},
                       {.names = "--max-rmse",
                        .target = &a->max_rmse,
                        .doc = "Exit with code 1 if the RMSE exceeds this value"}},

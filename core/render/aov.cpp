@@ -119,7 +119,7 @@ std::vector<image::Layer> aov_layers(const scene::CompiledScene& scene, const Do
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
       for (uint32_t i = 0; i < samples.count; ++i) {
         const uint32_t s = samples.first + i * samples.step;
-        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kHalfBuffers);
+        const uint32_t seed = integrator::PixelSeeds(*sampler, document.seed, s % film::kHalfBuffers)(x, y);
         SampleBlock random;
         sampler->block(seed, s / film::kHalfBuffers, 0, random);
         const Vec2 raster = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +

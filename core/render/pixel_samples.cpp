@@ -61,7 +61,7 @@ std::vector<Vec2> sample_points(const Document& document, Vec2i pixel, const Dim
   std::vector<Vec2> points(count);
   SampleBlock block_x, block_y;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalfBuffers);
+    const uint32_t seed = integrator::PixelSeeds(*sampler, document.seed, i % film::kHalfBuffers)(pixel.x, pixel.y);
     const uint32_t sample = i / film::kHalfBuffers;
     if (sample % kTableSamples == 0) sampler->prepare(sample, kTableSamples);
     sampler->block(seed, sample, x.block, block_x);

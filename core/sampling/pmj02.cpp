@@ -1,52 +1,24 @@
 #include "sampling/pmj02.h"
 
 #include "base/vectorize.h"
-#include "sampling/owen.h"
+#include "sampling/zero_two_sequence.h"
 
 namespace etendue {
 namespace {
-
-// The second coordinate of the Sobol' sequence with reversed bits: bit i is the sum over the bits j of the index for which
-// binomial(j, i) is odd, that is, for which the binary digits of j include those of i. A sum over supersets takes one step
-// for each digit of the positions [Ahmed 2024].
-[[gnu::always_inline]] inline uint32_t reversed_second_coordinate(uint32_t index) {
-  index ^= index >> 16 & 0x0000ffffU;
-  index ^= index >> 8 & 0x00ff00ffU;
-  index ^= index >> 4 & 0x0f0f0f0fU;
-  index ^= index >> 2 & 0x33333333U;
-  index ^= index >> 1 & 0x55555555U;
-  return index;
-}
-
-[[gnu::always_inline]] inline float scrambled(uint32_t reversed, uint32_t seed) {
-  const uint32_t x = reverse_bits(owen_scramble_reversed(reversed, seed));
-  return static_cast<float>(static_cast<int32_t>(x >> 8)) * 0x1p-24f;
-}
-
-// The seed of a dimension in a block. The seeds of the orders of samples have odd multiples, those of coordinates even.
-[[gnu::always_inline]] inline uint32_t dimension_seed(uint32_t block_seed, uint32_t k) {
-  return mix_bits(block_seed + k * 0x9e3779b9U);
-}
-
-// The position of a sample in the order of decision k. A nested permutation maps aligned groups of 2^m samples to such
-// groups.
-[[gnu::always_inline]] inline uint32_t shuffled(uint32_t reversed_sample, uint32_t block_seed, uint32_t k) {
-  return reverse_bits(owen_scramble_reversed(reversed_sample, dimension_seed(block_seed, 2 * k + 1)));
-}
 
 // Dimensions k and k + 1.
 struct Pair {
   float x, y;
 };
 [[gnu::always_inline]] inline Pair pair(uint32_t reversed_sample, uint32_t block_seed, uint32_t k) {
-  const uint32_t index = shuffled(reversed_sample, block_seed, k);
-  return {scrambled(index, dimension_seed(block_seed, 2 * k)),
-          scrambled(reversed_second_coordinate(index), dimension_seed(block_seed, 2 * k + 2))};
+  const uint32_t index = ordered_sample(reversed_sample, block_seed, k);
+  return {scrambled_coordinate(index, decision_seed(block_seed, 2 * k)),
+          scrambled_coordinate(reversed_second_coordinate(index), decision_seed(block_seed, 2 * k + 2))};
 }
 
 // The first coordinate of the sequence is the index with reversed bits, which is the argument of the scrambling.
 [[gnu::always_inline]] inline float single(uint32_t reversed_sample, uint32_t block_seed, uint32_t k) {
-  return scrambled(shuffled(reversed_sample, block_seed, k), dimension_seed(block_seed, 2 * k));
+  return scrambled_coordinate(ordered_sample(reversed_sample, block_seed, k), decision_seed(block_seed, 2 * k));
 }
 
 constexpr uint32_t kPairs = 4;  // the dimensions that are decisions in pairs

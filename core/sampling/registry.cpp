@@ -1,6 +1,8 @@
 // The registry of samplers.
 #include <functional>
 
+#include "sampling/antithetic.h"
+#include "sampling/blue_noise.h"
 #include "sampling/halton.h"
 #include "sampling/pmj02.h"
 #include "sampling/point_sets/faure.h"
@@ -57,6 +59,7 @@ const std::vector<Entry>& entries() {
       entry<FaureSampler>(),       entry<LatticeSampler>(),        entry<ZarembaSampler>(),
       entry<HammersleySampler>(),  entry<LatinHypercubeSampler>(), entry<OrthogonalArraySampler>(),
       entry<PoissonDiskSampler>(), entry<RegularGridSampler>(),    entry<HexagonalGridSampler>(),
+      entry<BlueNoiseSampler>(),   entry<AntitheticSampler>(),
   };
   return all;
 }

@@ -105,7 +105,19 @@ class Sampler {
 
   // The bits of a seed that are not random but select one of several sequences of the sampler.
   virtual uint32_t lane_mask() const { return 0; }
+
+  // If above 0, the pixels of square tiles with a side of 2^b pixels share the lower 32 - 2b bits of their seeds, and the
+  // upper ones are the place in the tile (place_in_tile). 0: pixels have independent seeds.
+  virtual int tile_bits() const { return 0; }
 };
+
+// The seed of a pixel in a tile with a side of 2^bits pixels, from a hash of the tile: its upper 2 bits digits are the
+// position on a Z-curve through the tile, with its binary digits reversed.
+constexpr uint32_t place_in_tile(uint32_t tile, uint32_t x, uint32_t y, int bits) {
+  uint32_t seed = tile & ((1U << (32 - 2 * bits)) - 1);
+  for (int k = 0; k < bits; ++k) seed |= (x >> k & 1U) << (31 - 2 * k) | (y >> k & 1U) << (30 - 2 * k);
+  return seed;
+}
 
 // All samplers in the order of the registry; the first one is the default.
 const std::vector<SamplerInfo>& sampler_infos();

@@ -11,7 +11,7 @@
 //   half-plane             1/2               1/2          3/4            1/2              3/4
 //   disc                   1/2               1/2          3/4            3/4              3/4
 //
-// Scrambled nets are sobol, pmj02, niederreiter, hammersley with Owen scrambling. An edge of length 1 crosses about N^(1/2)
+// Scrambled nets are sobol, pmj02, blue-noise, niederreiter, hammersley with Owen scrambling. An edge of length 1 crosses about N^(1/2)
 // cells of a stratification, each of which adds a variance of N^-2: the error is N^(-3/4). A grid with a random offset
 // samples each variable at N^(1/2) places only, and all functions but the disc have a jump between opposite sides of the
 // square, which is parallel to the grid. The points of Latin hypercubes are stratified in each variable, so that only sums
@@ -103,6 +103,7 @@ std::optional<Rate> theoretical_rate(std::string_view sampler, SquareIntegrand k
                            {"regular-grid", {{{0.5}, {0.5}, {0.5}, {0.5}, {0.75}}}},
                            {"sobol", kNet},
                            {"pmj02", kNet},
+                           {"blue-noise", kNet},
                            {"niederreiter", kNet},
                            {"hammersley", kNet}};
   const auto row = std::ranges::find(kRows, sampler, &Row::sampler);

@@ -87,6 +87,13 @@ constexpr double two_interval_variance(int count, int others) {
   return 0.25 * (kLowVariance / count + kHighVariance / others);
 }
 
+// The factor of x that removes most variance of exp x: their covariance over the variance of x.
+constexpr double kBestFactor = 12 * (1 - (e - 1) / 2);
+
+// The reflected radiance in uniform light of the lobe (n + 2) / (2 pi) cos^n, n = 10, from a direction with this cosine and
+// the density cos^(k - 1) k / (2 pi).
+double lobe_sample(double cosine, int k) { return 12 * std::pow(cosine, 12 - k) / k; }
+
 // The mean of `inner` values of a x + b y for one x.
 template <int inner>
 double split_sum(RandomNumbers& u, double a, double b) {
@@ -124,6 +131,20 @@ const std::vector<Comparison>& comparisons() {
           return 1.5 * (1 - x) / (1 + x);
         },
         1.5 * (4 * std::numbers::ln2 - 2.5) - 0.25, 1}},
+      {Technique::importance,
+       "exp(-x), p = 4/3 - 2x/3",
+       1 - 1 / e,
+       {[](RandomNumbers& u) { return std::exp(-u.uniform()); }, 0.0327559575, 1},
+       {[](RandomNumbers& u) {
+          const double x = 2 - std::sqrt(4 - 3 * u.uniform());
+          return std::exp(-x) / (4.0 / 3 - 2 * x / 3);
+        },
+        0.0036416597, 1}},
+      {Technique::importance,
+       "lobe 6/\u03c0 cos\u00b9\u2070 of the hemisphere, p = cos/\u03c0",
+       1,
+       {[](RandomNumbers& u) { return lobe_sample(u.uniform(), 1); }, 144.0 / 23 - 1, 1},
+       {[](RandomNumbers& u) { return lobe_sample(std::sqrt(u.uniform()), 2); }, 144.0 / 44 - 1, 1}},
       {Technique::control,
        "exp x, g = 1 + x",
        e - 1,
@@ -133,6 +154,15 @@ const std::vector<Comparison>& comparisons() {
           return std::exp(x) - 1 - x + 1.5;
         },
         0.0436507692, 1}},
+      {Technique::control,
+       "exp x, g = \u03b2 (1 + x) with the best \u03b2",
+       e - 1,
+       {exponential_sample, (e - 1) * (3 - e) / 2, 1},
+       {[](RandomNumbers& u) {
+          const double x = u.uniform();
+          return std::exp(x) - kBestFactor * (x - 0.5);
+        },
+        (e - 1) * (3 - e) / 2 - kBestFactor * kBestFactor / 12, 1}},
       {Technique::control,
        "x (1 - x), g = x",
        1.0 / 6,

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scripted.h"
+#include "viewer/panels/interval_grid.h"
 #include "viewer/tasks/pixel_samples_task.h"
 
 namespace etendue {
@@ -59,7 +60,8 @@ TEST_F(SamplingPanel, AllDimensionsCanBeSelectedAndUnknownOnesAreRefused) {
   const auto steps = joined(
       small(),
       json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"),
-                   set("sampling.y", "vertex-4.roulette"), set("sampling.points", "2048"),
+                   set("sampling.y", "vertex-4.roulette"), set("sampling.points", 2048), set("sampling.compare", "blue-noise"),
+                   set("sampling.intervals", "columns"),
                    file_step("screenshot", path("a.png")), kWaitForSamples, file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("a.json").contains("pixel"));
@@ -73,6 +75,19 @@ TEST_F(SamplingPanel, EscapeDeactivatesTheTool) {
                                                   file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_FALSE(state("a.json").contains("pixel"));
+}
+
+// Two half-buffers share the points; the intervals have equal areas.
+TEST(IntervalGrid, HasAsManyIntervalsAsPointsOfAHalfBuffer) {
+  using viewer::interval_grid, viewer::IntervalShape;
+  using Grid = std::array<int, 2>;
+  EXPECT_EQ(interval_grid(IntervalShape::square, 32), (Grid{4, 4}));
+  EXPECT_EQ(interval_grid(IntervalShape::square, 64), (Grid{4, 4}));
+  EXPECT_EQ(interval_grid(IntervalShape::columns, 64), (Grid{32, 1}));
+  EXPECT_EQ(interval_grid(IntervalShape::rows, 100), (Grid{1, 32}));
+  EXPECT_EQ(interval_grid(IntervalShape::none, 64), (Grid{1, 1}));
+  for (const auto shape : {IntervalShape::square, IntervalShape::columns, IntervalShape::rows})
+    EXPECT_EQ(interval_grid(shape, 1), (Grid{1, 1}));
 }
 
 TEST(Histogram, CountsEachSampleOnce) {

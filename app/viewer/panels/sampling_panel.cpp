@@ -8,8 +8,10 @@
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/pixel_samples.h"
+#include "sampling/sampler.h"
 #include "viewer/actions/action.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/sample_points_view.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/tasks/pixel_samples_task.h"
@@ -37,6 +39,8 @@ const render::Dimension& find_dimension(const std::string& name) {
   return found == list.end() ? list.front() : *found;
 }
 
+constexpr const char* kNoSampler = "none";
+
 // What the panel shows.
 struct Settings {
   Number<int> samples{"sampling.samples",
@@ -48,10 +52,20 @@ struct Settings {
                       Scale::logarithmic};
   std::string x = "pixel-x";  // names of sampler dimensions
   std::string y = "pixel-y";
-  uint32_t points = 512;
+  Number<int> points{"sampling.points",
+                     "Points",
+                     512,
+                     {1, 4096},
+                     "Number of points: those of the first samples, in their order. The colours are the two half-buffers",
+                     "",
+                     Scale::logarithmic};
+  Choice<IntervalShape> intervals{"sampling.intervals", "Elementary intervals", IntervalShape::square,
+                                  "Shape of the intervals of equal area. A net has as many points in each"};
+  std::string compared = kNoSampler;  // a second sampler
 
   friend bool operator==(const Settings& a, const Settings& b) {
-    return a.samples.value == b.samples.value && a.x == b.x && a.y == b.y && a.points == b.points;
+    return a.samples.value == b.samples.value && a.x == b.x && a.y == b.y && a.points.value == b.points.value &&
+           a.compared == b.compared;
   }
 };
 
@@ -69,15 +83,19 @@ ParameterInfo dimension_parameter(const char* name, const char* label, const cha
   return info;
 }
 
-ParameterInfo points_parameter(uint32_t value) {
+ParameterInfo compared_sampler_parameter(const std::string& value) {
   ParameterInfo info;
-  info.name = "sampling.points";
-  info.label = "Points";
-  info.doc = "Number of points: those of the first samples. The colours are the two half-buffers";
+  info.name = "sampling.compare";
+  info.label = "Compare with";
+  info.doc = "A second sampler, with default settings, whose points are shown beside those of the rendering";
   info.type = ParameterType::choice;
-  info.default_value = std::to_string(value);
-  info.options = {"32", "128", "512", "2048"};
-  info.option_labels = info.options;
+  info.default_value = value;
+  info.options = {kNoSampler};
+  info.option_labels = {"None"};
+  for (const auto& sampler : sampler_infos()) {
+    info.options.push_back(sampler.name);
+    info.option_labels.push_back(sampler.label);
+  }
   return info;
 }
 
@@ -86,7 +104,7 @@ std::vector<ParameterInfo> describe_settings(const Settings& settings) {
       describe(settings.samples),
       dimension_parameter("sampling.x", "Horizontal axis", "The sample dimension on the horizontal axis", settings.x),
       dimension_parameter("sampling.y", "Vertical axis", "The sample dimension on the vertical axis", settings.y),
-      points_parameter(settings.points)};
+      describe(settings.points), describe(settings.intervals), compared_sampler_parameter(settings.compared)};
 }
 
 // The integrators whose samples belong to single pixels.
@@ -346,7 +364,7 @@ class SamplingPanel final : public Panel {
     uint64_t seed = 0;
     Vec2i pixel{-1};
     Settings settings;
-    std::vector<Vec2> points;
+    std::vector<Vec2> points = {}, compared_points = {};
   };
 
   void select_pixel(AppState& state, Vec2 position) {
@@ -371,8 +389,9 @@ class SamplingPanel final : public Panel {
     if (const auto value = parameter_widget(state, infos[0])) assign(settings_.samples, *value);
     if (const auto value = parameter_widget(state, infos[1])) settings_.x = std::get<std::string>(*value);
     if (const auto value = parameter_widget(state, infos[2])) settings_.y = std::get<std::string>(*value);
-    if (const auto value = parameter_widget(state, infos[3]))
-      settings_.points = static_cast<uint32_t>(std::stoul(std::get<std::string>(*value)));
+    if (const auto value = parameter_widget(state, infos[3])) assign(settings_.points, *value);
+    if (const auto value = parameter_widget(state, infos[4])) assign(settings_.intervals, *value);
+    if (const auto value = parameter_widget(state, infos[5])) settings_.compared = std::get<std::string>(*value);
   }
 
   void draw_charts(AppState& state) {
@@ -390,51 +409,46 @@ class SamplingPanel final : public Panel {
     const ImVec2 screen_corner = ImGui::GetCursorScreenPos();
     const ImVec2 available = ImGui::GetContentRegionAvail();
     const float em = ImGui::GetFontSize();
+    const int squares = settings_.compared == kNoSampler ? 1 : 2;
     const float square = std::min(available.y - em * 0.2f, available.x * 0.27f);
-    const float width = std::max(1.0f, (available.x - square - em) * 0.5f);
+    const float rest = available.x - static_cast<float>(squares) * (square + em);
+    // The histogram gives way to the second square if both charts would be too narrow for their labels.
+    const bool has_histogram = squares == 1 || rest >= 24 * em;
+    const float width = std::max(1.0f, has_histogram ? rest * 0.5f : rest);
     const Vec2 corner(screen_corner.x, screen_corner.y);
     draw_running_mean(ui, draw, {corner, {width, available.y}}, *statistics);
-    draw_histogram(ui, draw, {corner + Vec2(width, 0), {width, available.y}}, *statistics);
-    draw_points(state, draw, {corner + Vec2(2 * width + em, 0), {square, square}}, statistics->pixel);
+    if (has_histogram) draw_histogram(ui, draw, {corner + Vec2(width, 0), {width, available.y}}, *statistics);
+    const PointCache& points = sample_points(state, statistics->pixel);
+    Placement frame{corner + Vec2((has_histogram ? 2 : 1) * width + em, 0), {square, square}};
+    const IntervalShape intervals = settings_.intervals.value;
+    draw_sample_points(ui, draw, frame, sampler_label(state.document().method.sampler), points.points, intervals);
+    if (squares == 1) return;
+    frame.corner.x += square + em;
+    draw_sample_points(ui, draw, frame, sampler_label(settings_.compared), points.compared_points, intervals);
   }
 
-  void draw_points(const AppState& state, ImDrawList* draw, const Placement& frame, Vec2i pixel) {
-    const UiContext& ui = state.ui;
-    const float em = ImGui::GetFontSize();
-    const float side = std::floor(frame.size.y - em * 1.7f);
-    const Vec2 corner = frame.corner + Vec2(0, em * 1.5f);
-    draw->AddText({frame.corner.x, frame.corner.y}, half_buffer_color(ui, 0), "Half 1");
-    draw->AddText({frame.corner.x + em * 3.4f, frame.corner.y}, half_buffer_color(ui, 1), "Half 2");
-    draw->AddRectFilled({corner.x, corner.y}, {corner.x + side, corner.y + side},
-                        ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
-    // A (0, m, 2)-net has the same number of points of each half-buffer in all cells of this grid.
-    int cells = 1;
-    while (4 * cells * cells <= static_cast<int>(settings_.points / film::kHalfBuffers)) cells *= 2;
-    const ImU32 grid = ImGui::GetColorU32(ImGuiCol_Border, 0.8f);
-    for (int i = 0; i <= cells; ++i) {
-      const float at = side * static_cast<float>(i) / static_cast<float>(cells);
-      draw->AddLine({corner.x + at, corner.y}, {corner.x + at, corner.y + side}, grid);
-      draw->AddLine({corner.x, corner.y + at}, {corner.x + side, corner.y + at}, grid);
-    }
-    const float radius = em * (settings_.points > 1000 ? 0.07f : settings_.points > 200 ? 0.1f : 0.17f);
-    const auto& points = sample_points(state, pixel);
-    for (size_t i = 0; i < points.size(); ++i)
-      draw->AddCircleFilled({corner.x + side * points[i].x, corner.y + side * (1 - points[i].y)}, radius,
-                            half_buffer_color(ui, static_cast<int>(i % film::kHalfBuffers)), 8);
+  static std::string sampler_label(const std::string& name) {
+    const SamplerInfo* info = find_sampler(name);
+    return info ? info->label : name;
   }
 
-  const std::vector<Vec2>& sample_points(const AppState& state, Vec2i pixel) {
+  const PointCache& sample_points(const AppState& state, Vec2i pixel) {
     const auto& d = state.document();
     const bool is_current =
         cache_.method == d.method && cache_.seed == d.seed && cache_.pixel == pixel && cache_.settings == settings_;
-    if (is_current) return cache_.points;
-    cache_ = {.method = d.method,
-              .seed = d.seed,
-              .pixel = pixel,
-              .settings = settings_,
-              .points = render::sample_points(d, pixel, find_dimension(settings_.x), find_dimension(settings_.y),
-                                              settings_.points)};
-    return cache_.points;
+    if (is_current) return cache_;
+    const auto points_of = [&](const render::Document& document) {
+      return render::sample_points(document, pixel, find_dimension(settings_.x), find_dimension(settings_.y),
+                                   static_cast<uint32_t>(settings_.points.value));
+    };
+    cache_ = {.method = d.method, .seed = d.seed, .pixel = pixel, .settings = settings_, .points = points_of(d)};
+    if (settings_.compared != kNoSampler) {
+      render::Document other = d;
+      other.method.sampler = settings_.compared;
+      other.method.settings.clear();
+      cache_.compared_points = points_of(other);
+    }
+    return cache_;
   }
 
   Settings settings_;

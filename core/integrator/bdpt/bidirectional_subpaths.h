@@ -66,9 +66,9 @@ class BidirectionalSubpaths {
   // corrected]
   void sample_techniques(const PixelBlock& block, const PixelOrder& order) {
     const int least = context_->camera->can_be_hit() ? 0 : 1;
+    const PixelSeeds seed_of(*context_->sampler, context_->seed, block.sample % film::kHalfBuffers);
     for (int i = 0; i < order.size(); ++i) {
-      const uint32_t half_buffer = block.sample % film::kHalfBuffers;
-      const uint32_t seed = pixel_seed(context_->seed, block.x + order.x(i), block.y + order.y(i), half_buffer);
+      const uint32_t seed = seed_of(block.x + order.x(i), block.y + order.y(i));
       const uint32_t first = mix_bits(path_seed(seed, block.sample) + 0x2545f491U);
       const auto path = static_cast<size_t>(i);
       inverse_probability_[path] = 1;

@@ -6,7 +6,8 @@
 //
 // With shadow rays, direct light is estimated by light sampling and by the branches, combined by multiple importance
 // sampling. Without them [Lang, Example 6.44], branches count the light that they hit. With one branch at every vertex
-// the samples are identical to those of `path` and `path-pure`.
+// the samples are identical to those of `path` and `path-pure`. With `branching=first-rough` only the first vertex that is
+// not specular branches, behind any number of mirrors and refractions: splitting.
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L with shadow rays, none without
 //   Bias          none
@@ -19,6 +20,19 @@
 #include "transport/wavefront/branching_paths.h"
 #include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
+
+namespace etendue::integrator {
+
+// Where paths branch: at the first three vertices, or at the first vertex that is not specular (splitting).
+enum class BranchingVertices : uint8_t { first, first_rough };
+
+}  // namespace etendue::integrator
+
+template <>
+struct etendue::Options<etendue::integrator::BranchingVertices> {
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"first", "First vertices"}, {"first-rough", "First rough vertex (splitting)"}}};
+};
 
 namespace etendue::integrator {
 
@@ -54,6 +68,10 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
       1,
       {1, 64},
       "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
+  Choice<BranchingVertices> branching{
+      "branching", "Branching vertices", BranchingVertices::first,
+      "first: the first three vertices. first-rough: the first vertex that is not specular, with the branches of the first "
+      "vertex"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Samples lights directly. Off: only emitters that a ray hits count"};
   Number<int> roulette_start{"roulette-start",
@@ -63,7 +81,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
-    return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, cutoff, power,
+    return std::tie(max_depth, branches_1, branches_2, branches_3, branching, shadow_rays, lights, heuristic, cutoff, power,
                     roulette_start);
   }
 
@@ -84,6 +102,7 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
       "Rays from this vertex. Raising it reduces noise and multiplies the cost of all later vertices";
 
   int branches_at(int vertex) const {
+    if (branching == BranchingVertices::first_rough) return 1;
     return vertex == 1 ? branches_1 : vertex == 2 ? branches_2 : vertex == 3 ? branches_3 : 1;
   }
 
@@ -104,7 +123,10 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
         scatter_below_surface(paths);
         if (shadow_rays) add_direct_light(paths, sampling, combination, Shadows::cast, static_cast<float>(branches));
         if (shadow_rays) media.add_light_samples(static_cast<float>(branches));
-        tree.branch(branches, roulette_start);
+        if (branching == BranchingVertices::first_rough)
+          tree.split_first_rough(branches_1, roulette_start);
+        else
+          tree.branch(branches, roulette_start);
       }
     }
   }

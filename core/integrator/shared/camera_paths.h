@@ -3,21 +3,13 @@
 #include <array>
 #include <memory>
 
-#include "base/hash.h"
-#include "film/half_buffers.h"
 #include "integrator/integrator.h"
 #include "integrator/shared/pixel_order.h"
+#include "integrator/shared/pixel_seeds.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/wavefront/path_wavefront.h"
 
 namespace etendue::integrator {
-
-// The seed of a pixel's random numbers in one half-buffer.
-inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t half_buffer) {
-  uint64_t h = mix_bits(seed * film::kHalfBuffers + half_buffer + 1);
-  h = mix_bits(h ^ (static_cast<uint64_t>(static_cast<uint32_t>(y)) << 32 | static_cast<uint32_t>(x)));
-  return static_cast<uint32_t>(h >> 32);
-}
 
 inline bool should_continue(const TaskContext& task_context) {
   return !task_context.keep_going || (*task_context.keep_going)();
@@ -51,8 +43,8 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   paths.assume_coherent();
   paths.record(task_context.recorder);
   if constexpr (M::kClasses) paths.filter_paths(context.model->paths->automaton());
-  for (int i = 0; i < order.size(); ++i)
-    paths.add(pixel_seed(context.seed, block.x + order.x(i), block.y + order.y(i), half_buffer));
+  const PixelSeeds seed_of(*context.sampler, context.seed, half_buffer);
+  for (int i = 0; i < order.size(); ++i) paths.add(seed_of(block.x + order.x(i), block.y + order.y(i)));
   std::array<float, transport::PathWavefront<M>::kCapacity> common_times;
   if (context.shared_time) {
     common_times.fill(*context.shared_time);

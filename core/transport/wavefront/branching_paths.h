@@ -8,6 +8,8 @@
 // Each branch has its own random numbers (PathWavefront::select_rng_stream). The first branch uses those of the path,
 // so that without branching the samples are identical to those of a single path.
 #pragma once
+#include <algorithm>
+
 #include "transport/wavefront/path_estimators.h"
 
 namespace etendue::transport {
@@ -40,41 +42,36 @@ class BranchingPaths {
   // 8.5].
   void branch(int count, const RouletteSettings& roulette) {
     if (count == 1) return sample_bsdf(*paths_, roulette);
-    const bool may_end = paths_->length() >= roulette.start;
-    const DimensionSet numbers = may_end ? dimensions(vertex_dimension::kRoulette, 1) : 0;
-    const auto survives = [&](PathState<Color>& path, int hit, const LobeSample<Color>& s, float share) {
-      if (!may_end) return true;
-      LobeSample<Color> whole = s;  // without the share of the branch
-      whole.weight *= share;
-      return survives_roulette(*paths_, roulette, hit, path, whole, paths_->random(vertex_dimension::kRoulette, hit));
+    branch_where(count, static_cast<float>(count), roulette, EveryHit());
+  }
+
+  // The same at the first vertices that are not specular, which is splitting [Lang, sec. 8.4]; other vertices continue in
+  // one direction. The weights of multiple importance sampling are those of one BSDF sample.
+  void split_first_rough(int count, const RouletteSettings& roulette) {
+    const auto splits = [this](int hit) {
+      return paths_->state_at(hit).all_specular && paths_->bsdf(hit).has_non_delta_lobe();
     };
-    for (int stream = 0; stream < count; ++stream) {
-      paths_->select_rng_stream(static_cast<uint32_t>(stream));
-      paths_->draw_lobes();
-      paths_->draw(numbers);
-      for (int i = 0; i < paths_->hit_count(); ++i) {
-        LobeSample<Color> s;
-        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), TransportMode::radiance, s) || s.delta)
-          continue;
-        // All of them can find the same light, which multiplies the density by their number.
-        const auto share = static_cast<float>(count);
-        s.weight /= share;
-        s.pdf_solid_angle *= share;
-        enqueue(i, s, share, survives);
-      }
-    }
-    follow_deltas(static_cast<uint32_t>(count), numbers, survives);
+    std::array<bool, PathWavefront<M>::kHitsAtATime> selected;
+    for (int i = 0; i < paths_->hit_count(); ++i) selected[static_cast<size_t>(i)] = count > 1 && splits(i);
+    sample_bsdf_where(
+        *paths_, roulette, TransportMode::radiance, [&](int hit) { return !selected[static_cast<size_t>(hit)]; },
+        [](int, const auto&) {});
+    if (std::find(selected.begin(), selected.begin() + paths_->hit_count(), true) !=
+        selected.begin() + paths_->hit_count())
+      branch_where(count, 1, roulette, [&](int hit) { return selected[static_cast<size_t>(hit)]; });
   }
 
   // Continues every path along each specular direction for which should_follow(path, hit, sample, 1) holds, which may
   // use the random numbers `numbers`. The branches use random number streams from `first_stream` on.
-  template <class Condition>
-  void follow_deltas(uint32_t first_stream, DimensionSet numbers, Condition&& should_follow) {
+  template <class Condition, class Selected = EveryHit>
+  void follow_deltas(uint32_t first_stream, DimensionSet numbers, Condition&& should_follow,
+                     const Selected& selected = {}) {
     if constexpr (M::kDiffuse) return;
     int most = 0;
     for (int i = 0; i < paths_->hit_count(); ++i) {
       DeltaSet<Color>& deltas = deltas_[static_cast<size_t>(i)];
-      deltas = paths_->bsdf(i).deltas(paths_->wo(i));
+      deltas = {};
+      if (selected(i)) deltas = paths_->bsdf(i).deltas(paths_->wo(i));
       most = std::max(most, deltas.count);
     }
     for (int k = 0; k < most; ++k) {
@@ -88,6 +85,36 @@ class BranchingPaths {
   }
 
  private:
+  // Branches from the selected hits. `density_factor`: the number of directions that can find the same light, by which
+  // their density is multiplied.
+  template <class Selected>
+  void branch_where(int count, float density_factor, const RouletteSettings& roulette, const Selected& selected) {
+    const bool may_end = paths_->length() >= roulette.start;
+    const DimensionSet numbers = may_end ? dimensions(vertex_dimension::kRoulette, 1) : 0;
+    const auto survives = [&](PathState<Color>& path, int hit, const LobeSample<Color>& s, float share) {
+      if (!may_end) return true;
+      LobeSample<Color> whole = s;  // without the share of the branch
+      whole.weight *= share;
+      return survives_roulette(*paths_, roulette, hit, path, whole, paths_->random(vertex_dimension::kRoulette, hit));
+    };
+    for (int stream = 0; stream < count; ++stream) {
+      paths_->select_rng_stream(static_cast<uint32_t>(stream));
+      paths_->draw_lobes();
+      paths_->draw(numbers);
+      for (int i = 0; i < paths_->hit_count(); ++i) {
+        if (!selected(i)) continue;
+        LobeSample<Color> s;
+        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), TransportMode::radiance, s) || s.delta)
+          continue;
+        const auto share = static_cast<float>(count);
+        s.weight /= share;
+        s.pdf_solid_angle *= density_factor;
+        enqueue(i, s, share, survives);
+      }
+    }
+    follow_deltas(static_cast<uint32_t>(count), numbers, survives, selected);
+  }
+
   using Shares = ClassShares<M>;
   struct Branch {
     PathState<Color> path;

@@ -217,6 +217,17 @@ TEST(IntegratingSphere, BranchesDivideTheVariance) {
     }
 }
 
+// Splitting has the weights of one BSDF sample.
+TEST(IntegratingSphere, SplittingDividesTheVariance) {
+  constexpr double kShare = 0.3, kAlbedo = 0.5;
+  constexpr int kBranches = 4;
+  const double w = sqr(kShare) / (1 + sqr(kShare));
+  const Moments path = theory(kShare, kAlbedo, w, Cap::reflecting);
+  auto d = with_integrator(test::integrating_sphere(kShare, kAlbedo), "distribution");
+  d = with(with(d, "branching", "first-rough"), "branches-1", std::to_string(kBranches));
+  expect_moments(d, 4, {path.mean, path.variance / kBranches}, "splitting");
+}
+
 constexpr int kSide = 32, kPixels = kSide * kSide;
 
 // Images with paths of at most kLongest edges: the mean, and the sum of rho^(2k) over k = 1, 2, ....
