@@ -12,13 +12,30 @@
 namespace etendue::render {
 namespace {
 
-// Evaluates the animations at another time. A camera that belongs to a node moves with it.
-void set_time(Document& document, float time) {
+// Changes the time or the clip of the animations. A camera that belongs to a node moves with it.
+void change_pose(Document& document, const std::function<void(scene::Scene&)>& change) {
   const int node = scene::node_of_camera(*document.scene, document.camera);
-  edit_scene(document, [time](scene::Scene& s) { s.time = time; });
+  edit_scene(document, change);
   if (node < 0) return;
   const auto world = scene::world_matrices(*document.scene);
   document.camera.to_world = scene::camera_to_world(world[static_cast<size_t>(node)]);
+}
+
+DocumentParameter clip_choice(const scene::Scene& scene) {
+  DocumentParameter parameter =
+      choice_parameter("scene", "clip", "Clip",
+                       "The animation of the file that plays. All: every one that moves other nodes than those before it");
+  parameter.info.options = scene::clip_labels(scene);
+  parameter.info.option_labels = parameter.info.options;
+  parameter.info.option_labels.front() = "All";
+  const bool is_known = scene.clip >= 0 && static_cast<size_t>(scene.clip) < scene.animations.size();
+  parameter.info.default_value = parameter.info.options[is_known ? static_cast<size_t>(scene.clip) + 1 : 0];
+  parameter.assign = [options = parameter.info.options](Document& d, const Value& v) {
+    const auto chosen = std::ranges::find(options, std::get<std::string>(v));
+    const int clip = static_cast<int>(chosen - options.begin()) - 1;
+    change_pose(d, [clip](scene::Scene& s) { s.clip = clip; });
+  };
+  return parameter;
 }
 
 DocumentParameter variant_choice(const scene::Scene& scene) {
@@ -128,7 +145,8 @@ DocumentParameters scene_parameters(const Document& document) {
       "scene",
       Number<float>{
           "time", "Time", scene.time, {0, std::max(1e4f, duration)}, "Time at which animations are evaluated", "s"},
-      [](Document& d, float v) { set_time(d, v); })};
+      [](Document& d, float v) { change_pose(d, [v](scene::Scene& s) { s.time = v; }); })};
+  if (scene.animations.size() > 1) list.push_back(clip_choice(scene));
   if (!scene.variants.empty()) list.push_back(variant_choice(scene));
   return list;
 }

@@ -57,9 +57,22 @@ void sample_channel(const AnimationChannel& channel, float time, std::span<float
 }
 
 float animation_duration(const Scene& scene) {
+  if (scene.clip >= 0 && static_cast<size_t>(scene.clip) < scene.animations.size())
+    return scene.animations[static_cast<size_t>(scene.clip)]->duration;
   float duration = 0;
   for (const auto& animation : scene.animations) duration = std::max(duration, animation->duration);
   return duration;
+}
+
+std::vector<std::string> clip_labels(const Scene& scene) {
+  std::vector<std::string> labels{"all"};
+  for (const auto& animation : scene.animations) {
+    const std::string name = animation->name.empty() ? "clip" : animation->name;
+    std::string label = name;
+    for (int n = 2; std::ranges::count(labels, label) > 0; ++n) label = name + " " + std::to_string(n);
+    labels.push_back(std::move(label));
+  }
+  return labels;
 }
 
 }  // namespace etendue::scene

@@ -70,7 +70,7 @@ class Compiler {
     if (!previous_) return false;
     const Scene& old = previous_->description();
     if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
-    if (scene_->time != old.time || scene_->roots != old.roots || scene_->skins != old.skins ||
+    if (scene_->time != old.time || scene_->clip != old.clip || scene_->roots != old.roots || scene_->skins != old.skins ||
         scene_->animations != old.animations || scene_->meshes.size() != old.meshes.size() ||
         scene_->nodes.size() != old.nodes.size())
       return false;
@@ -173,7 +173,7 @@ class Compiler {
   bool moves_objects() const {
     if (!previous_) return false;
     const Scene& old = previous_->description();
-    if (scene_->time != old.time || scene_->nodes.size() != old.nodes.size()) return false;
+    if (scene_->time != old.time || scene_->clip != old.clip || scene_->nodes.size() != old.nodes.size()) return false;
     return !std::ranges::equal(scene_->nodes, old.nodes, {}, &Node::transform, &Node::transform);
   }
 

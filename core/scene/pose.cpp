@@ -152,6 +152,8 @@ bool is_singular(const Mat4& m) {
 }
 
 std::vector<size_t> playing_animations(const Scene& scene) {
+  if (scene.clip >= 0 && static_cast<size_t>(scene.clip) < scene.animations.size())
+    return {static_cast<size_t>(scene.clip)};
   std::vector<size_t> playing;
   std::set<std::pair<int, AnimatedPath>> animated;
   for (size_t i = 0; i < scene.animations.size(); ++i) {

@@ -16,7 +16,8 @@ bool is_singular(const Mat4& m);
 std::vector<int> nodes_out_of_range(const Scene& scene);
 
 // Indices of the animations that play together. Each animation plays unless it animates the same property of a node as
-// an earlier one: files hold either parts of one movement, or alternative movements of the same nodes.
+// an earlier one: files hold either parts of one movement, or alternative movements of the same nodes. If the scene
+// names a clip, it plays alone.
 std::vector<size_t> playing_animations(const Scene& scene);
 
 // World matrices at `time` seconds on the clock of the animations; otherwise like world_matrices(scene).

@@ -123,6 +123,7 @@ struct Scene {
   Environment environment;
   Atmosphere atmosphere;
   float time = 0;                     // of animations, seconds
+  int clip = -1;                      // the animation that plays; -1: all that move different nodes
   std::vector<std::string> variants;  // names
   int variant = -1;                   // the selected one (scene/variants.h); -1 is none
 

@@ -24,14 +24,19 @@ constexpr const char* kTimeSlider = "timeline.time";
 constexpr const char* kFrameRate = "timeline.fps";
 constexpr const char* kGesture = "timeline";
 constexpr std::array kFrameRates{12, 24, 25, 30, 50, 60};
-constexpr float kWidth = 40, kNarrowWidth = 30;  // times the font size; a narrow bar has no frame rate
+constexpr float kWidth = 46, kNarrowWidth = 36;  // times the font size; a narrow bar has no choices
 constexpr double kMinStep = 1.0 / 30, kMaxStep = 1.0 / 12;  // seconds between images
 
-void set_time(AppState& state, float time) {
-  const auto parameter = document_parameter(state.document(), "scene.time");
+// Neither the time nor the clip counts as an edit of the scene that has to be saved.
+void set_parameter(AppState& state, const char* name, const Value& value, const char* gesture) {
+  const auto parameter = document_parameter(state.document(), name);
   const bool is_saved = !state.editor->has_unsaved_scene_edits();
-  state.edit(*parameter, static_cast<double>(time), kGesture);
+  state.edit(*parameter, value, gesture);
   if (is_saved) state.editor->mark_scene_saved(state.document().scene);
+}
+
+void set_time(AppState& state, float time) {
+  set_parameter(state, "scene.time", static_cast<double>(time), kGesture);
 }
 
 // The frame at the present time, and the last one that is not after the end.
@@ -41,6 +46,14 @@ int64_t present_frame(const AppState& state) {
 int64_t last_frame(const AppState& state) {
   const auto duration = static_cast<double>(scene::animation_duration(*state.document().scene));
   return static_cast<int64_t>(std::floor(duration * state.viewport.playback.frames_per_second + 1e-6));
+}
+
+// The clip that plays, if the file has several.
+void draw_clip(AppState& state, float width) {
+  const auto parameter = document_parameter(state.document(), "scene.clip");
+  if (!parameter) return;
+  ImGui::SameLine();
+  if (const auto clip = compact_choice(state, parameter->info, width)) set_parameter(state, "scene.clip", *clip, "");
 }
 
 void draw_frame_rate(AppState& state, float width) {
@@ -118,7 +131,10 @@ void draw_timeline(AppState& state) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   action_button(state, "animation.play");
-  if (!is_narrow) draw_frame_rate(state, em * 5);
+  if (!is_narrow) {
+    draw_clip(state, em * 7);
+    draw_frame_rate(state, em * 5);
+  }
   ImGui::SameLine();
   const float duration = scene::animation_duration(*state.document().scene);
   float time = state.document().scene->time;

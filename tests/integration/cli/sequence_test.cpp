@@ -20,25 +20,29 @@ class Sequence : public Cli {
   }
 };
 
-// A triangle that moves by a metre to the right in a second.
+// A triangle that moves by a metre to the right in a second, and a clip in which it moves up.
 constexpr const char* kScene = R"({
   "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
   "animations": [
     {"name": "right", "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
-     "samplers": [{"input": 1, "output": 2}]}],
+     "samplers": [{"input": 1, "output": 2}]},
+    {"name": "up", "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+     "samplers": [{"input": 1, "output": 3}]}],
   "accessors": [
     {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
     {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
-    {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"},
+    {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],
   "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
-    {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
-  "buffers": [{"uri": "moving.bin", "byteLength": 68}]})";
+    {"buffer": 0, "byteOffset": 44, "byteLength": 24}, {"buffer": 0, "byteOffset": 68, "byteLength": 24}],
+  "buffers": [{"uri": "moving.bin", "byteLength": 92}]})";
 
 void write_scene(const fs::path& folder) {
-  const float numbers[17] = {0, 0, 0, 1, 0, 0, 0, 1, 0,  // positions
+  const float numbers[23] = {0, 0, 0, 1, 0, 0, 0, 1, 0,  // positions
                              0, 1,                       // times
-                             0, 0, 0, 1, 0, 0};          // translations
+                             0, 0, 0, 1, 0, 0,           // to the right
+                             0, 0, 0, 0, 1, 0};          // up
   std::ofstream(folder / "moving.gltf") << kScene;
   std::ofstream(folder / "moving.bin", std::ios::binary)
       .write(reinterpret_cast<const char*>(numbers), sizeof numbers);
@@ -55,6 +59,20 @@ TEST_F(Sequence, FramesAreTheImagesAtTheirTimes) {
   EXPECT_EQ(pixels("film.0001.exr"), rendered(kMoving + " --set scene.time=0.25"));
   EXPECT_EQ(pixels("film.0003.exr"), rendered(kMoving + " --set scene.time=0.75"));
   EXPECT_NE(pixels("film.0001.exr"), pixels("film.0003.exr"));
+}
+
+TEST_F(Sequence, TheClipSelectsTheAnimation) {
+  write_scene(folder_);
+  const std::string late = kMoving + " --set scene.time=1";
+  const auto all = rendered(late), right = rendered(late + " --set scene.clip=right"),
+             up = rendered(late + " --set scene.clip=up");
+  EXPECT_EQ(all, right);
+  EXPECT_NE(all, up);
+  // A clip is kept in the state of an image.
+  ASSERT_EQ(run("render " + late + " --set scene.clip=up -o up.exr").code, 0);
+  ASSERT_EQ(run("render --like up.exr -o again.exr").code, 0);
+  EXPECT_EQ(pixels("again.exr"), up);
+  expect_error("render " + kMoving + " --set scene.clip=down -o x.exr", 2, "down");
 }
 
 TEST_F(Sequence, TurntableBeginsWithTheViewOfTheCamera) {
