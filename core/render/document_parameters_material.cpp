@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "render/document_parameters_medium.h"
+#include "render/document_parameters_texture.h"
 
 template <>
 struct etendue::Options<etendue::AlphaMode> {
@@ -176,7 +177,7 @@ class MaterialParameterList {
   size_t index_;
 };
 
-void add_base(MaterialParameterList& parameters) {
+void add_base(MaterialParameterList& parameters, const Material& m) {
   parameters.add_color({"base-color.r", "base-color.g", "base-color.b"}, "Base colour", &Material::base_color, 1,
                        "Diffuse albedo, or reflectance of a metal; multiplies its texture");
   parameters.add_number("metallic", "Metallic", &Material::metallic, {0, 1},
@@ -188,6 +189,10 @@ void add_base(MaterialParameterList& parameters) {
                         "Strength of the dielectric reflection; 0: purely diffuse surface");
   parameters.add_color({"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",
                        &Material::specular_color, 1, "Tint of the dielectric reflection at normal incidence");
+  parameters.add(Toggle{"specular-glossiness", "Specular-glossiness", m.specular_glossiness,
+                        "The base colour is the diffuse albedo, the specular colour the reflectance at normal "
+                        "incidence; metallic has no effect"},
+                 &Material::specular_glossiness);
 }
 
 void add_transmission(MaterialParameterList& parameters) {
@@ -286,7 +291,7 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
   add_model(list, m, index, section);
   const size_t first_of_surface = list.size();
   MaterialParameterList parameters(list, m, section, index);
-  add_base(parameters);
+  add_base(parameters, m);
   add_transmission(parameters);
   add_layers(parameters, m);
   add_emission_and_opacity(parameters, m);
@@ -296,6 +301,7 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
     if (!applies_to_all_models(std::string_view(list[i].info.name).substr(section.size() + 1)))
       list[i].inactive_reason = std::string("The reflection model ") + m.model->info().description.label +
                                 " has parameters of its own; this one belongs to the glTF surface";
+  add_texture_parameters(list, *document.scene, index, section);
   return list;
 }
 
