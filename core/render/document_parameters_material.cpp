@@ -123,6 +123,22 @@ class MaterialParameterList {
                });
   }
 
+  // The two textures of this model are the same image.
+  void add_specular_glossiness() {
+    list_.push_back(make_parameter(
+        section_,
+        Toggle{"specular-glossiness", "Specular-glossiness", material_.specular_glossiness,
+               "The base colour is the diffuse albedo, the specular colour the reflectance at normal incidence; metallic "
+               "has no effect"},
+        [index = index_](Document& d, bool v) {
+          edit_scene(d, [&](scene::Scene& s) {
+            Material& m = s.materials[index];
+            m.specular_glossiness = v;
+            if (v) m.metallic_roughness_texture = m.specular_color_texture;
+          });
+        }));
+  }
+
   void add_emission_spectrum() {
     Text description = emission_spectrum_parameter("emission-spectrum", material_.emission_spectrum);
     description.label = "Emission spectrum";
@@ -177,7 +193,7 @@ class MaterialParameterList {
   size_t index_;
 };
 
-void add_base(MaterialParameterList& parameters, const Material& m) {
+void add_base(MaterialParameterList& parameters) {
   parameters.add_color({"base-color.r", "base-color.g", "base-color.b"}, "Base colour", &Material::base_color, 1,
                        "Diffuse albedo, or reflectance of a metal; multiplies its texture");
   parameters.add_number("metallic", "Metallic", &Material::metallic, {0, 1},
@@ -189,10 +205,7 @@ void add_base(MaterialParameterList& parameters, const Material& m) {
                         "Strength of the dielectric reflection; 0: purely diffuse surface");
   parameters.add_color({"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",
                        &Material::specular_color, 1, "Tint of the dielectric reflection at normal incidence");
-  parameters.add(Toggle{"specular-glossiness", "Specular-glossiness", m.specular_glossiness,
-                        "The base colour is the diffuse albedo, the specular colour the reflectance at normal "
-                        "incidence; metallic has no effect"},
-                 &Material::specular_glossiness);
+  parameters.add_specular_glossiness();
 }
 
 void add_transmission(MaterialParameterList& parameters) {
@@ -291,7 +304,7 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
   add_model(list, m, index, section);
   const size_t first_of_surface = list.size();
   MaterialParameterList parameters(list, m, section, index);
-  add_base(parameters, m);
+  add_base(parameters);
   add_transmission(parameters);
   add_layers(parameters, m);
   add_emission_and_opacity(parameters, m);

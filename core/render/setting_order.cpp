@@ -20,7 +20,7 @@ bool selects_texture(std::string_view name) {
 }  // namespace
 
 SettingKind kind_of_setting(std::string_view name) {
-  if (ends_with_part(name, "model")) return SettingKind::model;
+  if (ends_with_part(name, "model") || ends_with_part(name, "specular-glossiness")) return SettingKind::model;
   if (ends_with_part(name, "preset") || selects_texture(name)) return SettingKind::selection;
   return name.ends_with("-spectrum") || ends_with_part(name, "glass") ? SettingKind::replacing : SettingKind::value;
 }

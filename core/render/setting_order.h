@@ -6,7 +6,7 @@
 namespace etendue::render {
 
 enum class SettingKind {
-  model,      // a reflection model, which has parameters of its own
+  model,      // a reflection model, which has parameters of its own, or another meaning of the textures
   selection,  // sets other parameters or decides which there are: a preset, a texture
   value,
   replacing  // removed by edits of other parameters: a spectrum by the RGB coefficient, a glass by the index
