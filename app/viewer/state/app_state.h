@@ -16,6 +16,7 @@
 #include "viewer/files/edit_journal.h"
 #include "viewer/files/file_request.h"
 #include "viewer/panels/panel_set.h"
+#include "viewer/state/material_edits.h"
 #include "viewer/state/node_places.h"
 #include "viewer/state/notices.h"
 #include "viewer/state/settings.h"
@@ -60,6 +61,7 @@ struct Selection {
   int node = -1;
   int material = -1;
   int light = -1;
+  int part = -1;  // the material of the part of the node that was selected
 };
 
 // A tool that uses the next click in the image.
@@ -204,6 +206,7 @@ struct AppState {
   UiContext ui;
   InterfaceState interface;
   Selection selection;
+  MaterialClipboard material_clipboard;
   ActionList actions;
   std::string previous_integrator;  // for the action that switches back to it
   Timing timing;

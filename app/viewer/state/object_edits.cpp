@@ -197,7 +197,7 @@ void drop_stale_selection(AppState& state) {
   if (is_stale(selection.node, scene.nodes.size()) ||
       (selection.node >= 0 && !exists[static_cast<size_t>(selection.node)]))
     selection.node = -1;
-  if (is_stale(selection.material, scene.materials.size())) selection.material = -1;
+  if (selection.material >= 0 && !scene::has_material(scene, selection.material)) selection.material = -1;
   const auto shows_light = [&](int node) { return scene.nodes[static_cast<size_t>(node)].light == selection.light; };
   if (is_stale(selection.light, scene.lights.size()) ||
       (selection.light >= 0 && std::ranges::none_of(light_nodes(state), shows_light)))
