@@ -155,6 +155,7 @@ void AppState::store_settings() {
 
 void AppState::select(int node, int material) {
   selection.node = node;
+  selection.others.clear();
   selection.part = material;
   if (material >= 0) selection.material = material;
   // An image of an earlier document may show objects that this one does not have.

@@ -61,6 +61,7 @@ struct Selection {
   int node = -1;
   int material = -1;
   int light = -1;
+  std::vector<int> others{};  // nodes that are selected besides `node`, in the order of their selection
   int part = -1;  // the material of the part of the node that was selected
 };
 
@@ -187,7 +188,7 @@ struct AppState {
   void after_unsaved_edits(std::function<void(AppState&)> proceed);
   // Writes the settings file, unless settings are not kept.
   void store_settings();
-  // Selects a node, and its material and light. A negative material stands for the first one of the node.
+  // Selects one node, and its material and light. A negative material stands for the first one of the node.
   void select(int node, int material);
 
   // Whether the panel is open and the interface is not hidden.
