@@ -236,7 +236,7 @@ void update_state(AppState& state, ImageView& live_image) {
   for (const auto& panel : state.panels.all()) panel->update(state);
   state.tasks.surface_analysis->update(state.task_context, state.selection.material);
   state.viewport.pixel_readout->update(state.viewport.show_pixel_values && state.interface.visible);
-  state.viewport.selection_outline->update(state.interface.visible ? state.selection.node : -1);
+  state.viewport.selection_outline->update(state.interface.visible ? selected_nodes(state) : std::vector<int>());
   state.viewport.stored_points->update(state.viewport.show_stored_points);
   const auto& display = state.document().display;
   state.viewport.comparison->update(display.exposure, display.curve);

@@ -10,6 +10,8 @@ namespace etendue {
 std::filesystem::path config_folder();
 // What is kept between runs but is not a setting: $XDG_STATE_HOME/etendue or ~/.local/state/etendue.
 std::filesystem::path state_folder();
+// Files of the user, such as the material library: $XDG_DATA_HOME/etendue or ~/.local/share/etendue.
+std::filesystem::path data_folder();
 // Files that can be computed again: $XDG_CACHE_HOME/etendue or ~/.cache/etendue.
 std::filesystem::path cache_folder();
 

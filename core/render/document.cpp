@@ -115,11 +115,13 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 }
 
 Result<Document> with_structural_edit(const Document& document, const scene::StructuralEdit& edit) {
-  auto scene = scene::with_edit(*document.scene, edit);
+  scene::StructuralEdit complete = edit;
+  if (const auto ok = scene::read_image(complete); !ok) return ok.error();
+  auto scene = scene::with_edit(*document.scene, complete);
   if (!scene) return scene.error();
   Document changed = document;
   changed.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-  changed.structure.push_back(edit);
+  changed.structure.push_back(std::move(complete));
   return changed;
 }
 

@@ -127,7 +127,8 @@ Result<Document> with_text(const Document& document, std::string_view name, std:
 // A new document for a scene with the given camera, or with the scene's first one, and default settings.
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");
 
-// The document after an edit that adds, removes or renames an object. The error says why the edit is impossible.
+// The document after a structural edit: of objects, materials or textures. The error says why the edit is impossible,
+// for instance because the file of a texture is not an image.
 Result<Document> with_structural_edit(const Document& document, const scene::StructuralEdit& edit);
 
 // The state of a document as JSON text, for snapshots and checkpoints: the scene's name and all parameters that differ

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "render/document_parameters_medium.h"
+#include "render/document_parameters_texture.h"
 
 template <>
 struct etendue::Options<etendue::AlphaMode> {
@@ -122,6 +123,22 @@ class MaterialParameterList {
                });
   }
 
+  // The two textures of this model are the same image.
+  void add_specular_glossiness() {
+    list_.push_back(make_parameter(
+        section_,
+        Toggle{"specular-glossiness", "Specular-glossiness", material_.specular_glossiness,
+               "The base colour is the diffuse albedo, the specular colour the reflectance at normal incidence; metallic "
+               "has no effect"},
+        [index = index_](Document& d, bool v) {
+          edit_scene(d, [&](scene::Scene& s) {
+            Material& m = s.materials[index];
+            m.specular_glossiness = v;
+            if (v) m.metallic_roughness_texture = m.specular_color_texture;
+          });
+        }));
+  }
+
   void add_emission_spectrum() {
     Text description = emission_spectrum_parameter("emission-spectrum", material_.emission_spectrum);
     description.label = "Emission spectrum";
@@ -188,6 +205,7 @@ void add_base(MaterialParameterList& parameters) {
                         "Strength of the dielectric reflection; 0: purely diffuse surface");
   parameters.add_color({"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",
                        &Material::specular_color, 1, "Tint of the dielectric reflection at normal incidence");
+  parameters.add_specular_glossiness();
 }
 
 void add_transmission(MaterialParameterList& parameters) {
@@ -296,6 +314,7 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
     if (!applies_to_all_models(std::string_view(list[i].info.name).substr(section.size() + 1)))
       list[i].inactive_reason = std::string("The reflection model ") + m.model->info().description.label +
                                 " has parameters of its own; this one belongs to the glTF surface";
+  add_texture_parameters(list, *document.scene, index, section);
   return list;
 }
 

@@ -9,6 +9,7 @@
 #include "light/environments/uniform.h"
 #include "render/default_light.h"
 #include "render/document.h"
+#include "render/setting_order.h"
 #include "render/state_opener.h"
 #include "render/structure_json.h"
 
@@ -66,23 +67,21 @@ std::map<std::string, Value> values_of(const Document& document, const std::stri
   return values;
 }
 
-// Whether the values of a section can differ between two documents. Comparing the nodes of large scenes is much faster than
-// comparing the values of their sections.
+// Whether the values of a section can differ between two documents. Comparing the nodes and materials of large scenes is
+// much faster than comparing the values of their sections.
 bool may_differ(const Document& a, const Document& b, const std::string& section) {
+  const auto& materials = a.scene->materials;
+  if (const auto material = section_index(section, "material", materials.size()))
+    return *material >= b.scene->materials.size() || materials[*material] != b.scene->materials[*material];
   const auto& nodes = a.scene->nodes;
   const auto node = section_index(section, "node", nodes.size());
   return !node || *node >= b.scene->nodes.size() || nodes[*node] != b.scene->nodes[*node];
 }
 
 // Whether a parameter decides which other parameters its section has.
-bool selects_parameters(const std::string& name) { return name.ends_with(".model") || name.ends_with(".preset"); }
-
-// The order in which settings are applied. An edit of an RGB coefficient removes its spectrum, so spectra are last.
-enum class SettingKind { selection, value, spectrum };
-
-SettingKind kind_of_setting(const std::string& name) {
-  if (selects_parameters(name)) return SettingKind::selection;
-  return name.ends_with("-spectrum") ? SettingKind::spectrum : SettingKind::value;
+bool selects_parameters(const std::string& name) {
+  const SettingKind kind = kind_of_setting(name);
+  return kind == SettingKind::model || kind == SettingKind::selection;
 }
 
 // Applies the settings of a kind.
@@ -115,16 +114,17 @@ std::string camera_of_file(const Document& document) {
                                                                              : document.origin->camera_name;
 }
 
-// Applies the edits that add, remove and rename objects.
+// Applies the structural edits.
 Result<void> restore_structure(Document& document, const json& state, const std::string& source) {
   if (!state.contains("structure")) return {};
-  const auto edits = structure_from_json(state["structure"]);
+  auto edits = structure_from_json(state["structure"], [&](const std::string& f) { return resolved(f, source); });
   if (!edits) return input_error(source + ": " + edits.error().message);
-  for (const scene::StructuralEdit& edit : *edits) {
-    auto changed = with_structural_edit(document, edit);
-    if (!changed) return input_error(source + ": " + changed.error().message);
-    document = std::move(*changed);
-  }
+  // A texture whose file cannot be read stays without an image, with a warning of the scene.
+  for (scene::StructuralEdit& edit : *edits) (void)scene::read_image(edit);
+  auto scene = scene::with_edits(*document.scene, *edits);
+  if (!scene) return input_error(source + ": " + scene.error().message);
+  document.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+  document.structure = std::move(*edits);
   return {};
 }
 
@@ -201,7 +201,7 @@ std::string scene_text_of(const json& state) {
 // An opened document with the edits of a state.
 Result<Document> with_state(Document document, const json& state, const std::string& source) {
   if (auto ok = restore_structure(document, state, source); !ok) return ok.error();
-  for (const SettingKind kind : {SettingKind::selection, SettingKind::value, SettingKind::spectrum}) {
+  for (const SettingKind kind : kSettingKinds) {
     auto changed = with_settings(std::move(document), state["settings"], kind, source);
     if (!changed) return changed;
     document = std::move(*changed);
@@ -266,7 +266,9 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
              {"camera", camera_of_file(document)},
              {"samples", samples},
              {"settings", settings}};
-  if (!document.structure.empty()) state["structure"] = structure_json(document.structure);
+  if (!document.structure.empty())
+    state["structure"] =
+        structure_json(document.structure, [&](const std::string& file) { return reference_from(folder, file); });
   if (!document.part.is_whole()) state["part"] = part_json(document.part);
   if (document.automatic.enabled && !document.automatic.is_pending()) state["automatic"] = automatic_json(document);
   // The environment map of the scene's own file is loaded with the scene.

@@ -13,8 +13,41 @@ using nlohmann::json;
 using scene::EditKind;
 using scene::StructuralEdit;
 
-constexpr std::array<const char*, 6> kKindNames{"add-light", "add-camera", "add-shape",
-                                                "duplicate", "remove",     "rename"};
+constexpr std::array<const char*, 12> kKindNames{
+    "add-light",  "add-camera",   "add-shape",       "duplicate",       "remove",          "rename",
+    "set-parent", "add-material", "rename-material", "remove-material", "assign-material", "add-texture"};
+
+// What an edit of each kind consists of, besides the camera of add-camera.
+struct Members {
+  bool name = false, type = false, node = false, material = false, parent = false, primitive = false, file = false;
+  bool transform = false;
+};
+
+Members members_of(EditKind kind) {
+  switch (kind) {
+    case EditKind::add_light:
+    case EditKind::add_camera:
+    case EditKind::add_shape:
+      return {.name = true, .type = true, .transform = true};
+    case EditKind::duplicate:
+    case EditKind::rename:
+      return {.name = true, .node = true};
+    case EditKind::remove:
+      return {.node = true};
+    case EditKind::set_parent:
+      return {.node = true, .parent = true, .transform = true};
+    case EditKind::add_material:
+    case EditKind::rename_material:
+      return {.name = true, .material = true};
+    case EditKind::remove_material:
+      return {.material = true};
+    case EditKind::assign_material:
+      return {.node = true, .material = true, .primitive = true};
+    case EditKind::add_texture:
+      return {.file = true};
+  }
+  return {};
+}
 
 template <class V>
 json numbers_of(const V& v) {
@@ -69,56 +102,81 @@ Camera camera_from(const json& j) {
   return camera;
 }
 
-json edit_json(const StructuralEdit& edit) {
-  json j{{"edit", kKindNames[static_cast<size_t>(edit.kind)]}};
-  if (edit.kind != EditKind::remove) j["name"] = edit.name;
-  if (edit.kind >= EditKind::duplicate) {
-    j["node"] = edit.node;
-    return j;
+void put_transform(json& j, const scene::Transform& transform) {
+  if (transform.matrix) {
+    j["matrix"] = json::array();
+    for (int c = 0; c < 4; ++c) j["matrix"].push_back(numbers_of((*transform.matrix)[c]));
+    return;
   }
-  if (!edit.type.empty()) j["type"] = edit.type;
-  j["translation"] = numbers_of(edit.transform.translation);
-  j["rotation"] = numbers_of(edit.transform.rotation);
-  j["scale"] = numbers_of(edit.transform.scale);
+  j["translation"] = numbers_of(transform.translation);
+  j["rotation"] = numbers_of(transform.rotation);
+  j["scale"] = numbers_of(transform.scale);
+}
+
+scene::Transform transform_from(const json& j) {
+  scene::Transform transform;
+  if (!j.contains("matrix")) {
+    transform.translation = vector_of<Vec3>(j.at("translation"));
+    transform.rotation = vector_of<Vec4>(j.at("rotation"));
+    transform.scale = vector_of<Vec3>(j.at("scale"));
+    return transform;
+  }
+  Mat4 matrix;
+  for (int c = 0; c < 4; ++c) matrix[c] = vector_of<Vec4>(j.at("matrix").at(static_cast<size_t>(c)));
+  transform.matrix = matrix;
+  return transform;
+}
+
+json edit_json(const StructuralEdit& edit, const FileNaming& naming) {
+  json j{{"edit", kKindNames[static_cast<size_t>(edit.kind)]}};
+  const Members members = members_of(edit.kind);
+  if (members.name) j["name"] = edit.name;
+  if (members.type && !edit.type.empty()) j["type"] = edit.type;
+  if (members.node) j["node"] = edit.node;
+  if (members.material) j["material"] = edit.material;
+  if (members.parent) j["parent"] = edit.parent;
+  if (members.primitive) j["primitive"] = edit.primitive;
+  if (members.file) j["file"] = naming(edit.file);
+  if (members.transform) put_transform(j, edit.transform);
   if (edit.kind == EditKind::add_camera) j["camera"] = camera_json(edit.camera);
   return j;
 }
 
-StructuralEdit edit_from(const json& j) {
+StructuralEdit edit_from(const json& j, const FileNaming& naming) {
   const auto kind = std::ranges::find(kKindNames, j.at("edit").get<std::string>());
   if (kind == kKindNames.end()) throw json::other_error::create(501, "unknown edit", &j);
   StructuralEdit edit;
   edit.kind = static_cast<EditKind>(kind - kKindNames.begin());
-  if (edit.kind != EditKind::remove) edit.name = j.at("name").get<std::string>();
-  if (edit.kind >= EditKind::duplicate) {
-    edit.node = j.at("node").get<int>();
-    return edit;
-  }
-  edit.type = j.value("type", "");
-  edit.transform.translation = vector_of<Vec3>(j.at("translation"));
-  edit.transform.rotation = vector_of<Vec4>(j.at("rotation"));
-  edit.transform.scale = vector_of<Vec3>(j.at("scale"));
+  const Members members = members_of(edit.kind);
+  if (members.name) edit.name = j.at("name").get<std::string>();
+  if (members.type) edit.type = j.value("type", "");
+  if (members.node) edit.node = j.at("node").get<int>();
+  if (members.material) edit.material = j.at("material").get<int>();
+  if (members.parent) edit.parent = j.at("parent").get<int>();
+  if (members.primitive) edit.primitive = j.at("primitive").get<int>();
+  if (members.file) edit.file = naming(j.at("file").get<std::string>());
+  if (members.transform) edit.transform = transform_from(j);
   if (edit.kind == EditKind::add_camera) edit.camera = camera_from(j.at("camera"));
   return edit;
 }
 
 }  // namespace
 
-json structure_json(const std::vector<StructuralEdit>& edits) {
+json structure_json(const std::vector<StructuralEdit>& edits, const FileNaming& naming) {
   json list = json::array();
-  for (const StructuralEdit& edit : edits) list.push_back(edit_json(edit));
+  for (const StructuralEdit& edit : edits) list.push_back(edit_json(edit, naming));
   return list;
 }
 
-Result<std::vector<StructuralEdit>> structure_from_json(const json& edits) {
-  if (!edits.is_array()) return input_error("its list of added and removed objects is damaged");
+Result<std::vector<StructuralEdit>> structure_from_json(const json& edits, const FileNaming& naming) {
+  if (!edits.is_array()) return input_error("its list of edits of objects and materials is damaged");
   std::vector<StructuralEdit> list;
   for (const json& edit : edits) {
     try {
-      list.push_back(edit_from(edit));
+      list.push_back(edit_from(edit, naming));
     } catch (const json::exception&) {
       return input_error("entry " + std::to_string(list.size()) +
-                         " of its list of added and removed objects is damaged");
+                         " of its list of edits of objects and materials is damaged");
     }
   }
   return list;

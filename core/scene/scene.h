@@ -115,6 +115,7 @@ struct Scene {
   std::vector<int> roots;  // of the chosen glTF scene
   std::vector<MeshGroup> meshes;
   std::vector<Material> materials;  // never empty: the last one is the default of primitives without a material
+  std::vector<int> removed_materials;  // by edits; they stay in `materials` and no object uses them
   std::vector<Texture> textures;
   std::vector<Light> lights;
   std::vector<Camera> cameras;  // without to_world, which is that of the node

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file.h"
 #include "scene/builtin/shapes.h"
 #include "scene/coordinate_range.h"
 
@@ -10,7 +11,6 @@ namespace etendue::scene {
 namespace {
 
 constexpr int kSphereRings = 48, kDiskSegments = 96;
-constexpr float kDefaultAlbedo = 0.7f;
 constexpr size_t kMaxNameLength = 1000;
 
 std::shared_ptr<const Mesh> shape_mesh(const std::string& type) {
@@ -28,9 +28,24 @@ std::string node_label(const Scene& scene, int node) {
   return name.empty() ? "node " + std::to_string(node) : "'" + name + "'";
 }
 
+bool is_valid_matrix(const Mat4& m) {
+  for (int c = 0; c < 4; ++c)
+    if (!is_within_range(Vec3(m[c])) || m[c].w != (c == 3 ? 1.0f : 0.0f)) return false;
+  return true;
+}
+
 bool is_valid_transform(const Transform& t) {
+  if (t.matrix) return is_valid_matrix(*t.matrix);
   const float length = glm::dot(t.rotation, t.rotation);
-  return !t.matrix && is_within_range(t.translation) && is_within_range(t.scale) && std::isfinite(length) && length > 0;
+  return is_within_range(t.translation) && is_within_range(t.scale) && std::isfinite(length) && length > 0;
+}
+
+// A diffuse material with an albedo of 0.7.
+Material new_material(const std::string& name) {
+  constexpr float kAlbedo = 0.7f;
+  Material material = diffuse(Rgb(kAlbedo));
+  material.name = name;
+  return material;
 }
 
 // A new root with the name and the transform of the edit.
@@ -40,16 +55,6 @@ Node& append_root(Scene& scene, const StructuralEdit& edit) {
   node.name = edit.name;
   node.transform = edit.transform;
   return node;
-}
-
-// The node and its descendants, parents first.
-std::vector<int> subtree_of(const Scene& scene, int node) {
-  std::vector<int> list{node};
-  for (size_t i = 0; i < list.size(); ++i) {
-    const auto& children = scene.nodes[static_cast<size_t>(list[i])].children;
-    list.insert(list.end(), children.begin(), children.end());
-  }
-  return list;
 }
 
 bool is_reached(const Scene& scene, int node) {
@@ -78,9 +83,7 @@ Result<Scene> with_shape(Scene scene, const StructuralEdit& edit) {
   Primitive primitive;
   primitive.mesh = shape_mesh(edit.type);
   if (!primitive.mesh) return impossible_edit("'" + edit.type + "' is not a shape");
-  Material material = diffuse(Rgb(kDefaultAlbedo));
-  material.name = edit.name;
-  scene.materials.push_back(std::move(material));
+  scene.materials.push_back(new_material(edit.name));
   primitive.material = static_cast<int>(scene.materials.size()) - 1;
   scene.meshes.push_back({edit.name, {primitive}, {}});
   append_root(scene, edit).mesh = static_cast<int>(scene.meshes.size()) - 1;
@@ -163,66 +166,24 @@ Result<Scene> without_node(Scene scene, const StructuralEdit& edit) {
   return scene;
 }
 
-// New indices of the elements that stay, -1 for the others.
-std::vector<int> indices_after_removal(const std::vector<bool>& is_removed) {
-  std::vector<int> indices;
-  int next = 0;
-  for (const bool removed : is_removed) indices.push_back(removed ? -1 : next++);
-  return indices;
+Result<Scene> with_parent(Scene scene, const StructuralEdit& edit) {
+  Node& node = scene.nodes[static_cast<size_t>(edit.node)];
+  if (node.skin >= 0) return impossible_edit(node_label(scene, edit.node) + " is placed by the joints of a skin");
+  if (edit.parent >= 0 && !is_reached(scene, edit.parent))
+    return impossible_edit("the scene has no object " + std::to_string(edit.parent));
+  if (std::ranges::count(subtree_of(scene, edit.node), edit.parent) > 0)
+    return impossible_edit(node_label(scene, edit.parent) + " cannot be the parent of " +
+                           node_label(scene, edit.node) + ": it is that object or below it");
+  if (!is_valid_transform(edit.transform)) return impossible_edit("the transform of the object is out of range");
+  std::erase(node.parent >= 0 ? scene.nodes[static_cast<size_t>(node.parent)].children : scene.roots, edit.node);
+  node.transform = edit.transform;
+  attach(scene, edit.node, edit.parent);
+  return scene;
 }
 
-template <class T>
-void erase_marked(std::vector<T>& values, const std::vector<int>& indices) {
-  size_t i = 0;
-  std::erase_if(values, [&](const T&) { return indices[i++] < 0; });
-}
-
-void renumber(int& index, const std::vector<int>& indices) {
-  if (index >= 0) index = indices[static_cast<size_t>(index)];
-}
-
-void renumber(std::vector<int>& list, const std::vector<int>& indices) {
-  for (int& index : list) renumber(index, indices);
-  std::erase(list, -1);
-}
-
-// Which of `count` objects are used by removed nodes only.
-std::vector<bool> unused(const Scene& scene, const std::vector<bool>& removed, int Node::*member, size_t count) {
-  std::vector<bool> by_removed(count), by_others(count);
-  for (size_t i = 0; i < scene.nodes.size(); ++i)
-    if (const int used = scene.nodes[i].*member; used >= 0)
-      (removed[i] ? by_removed : by_others)[static_cast<size_t>(used)] = true;
-  for (size_t i = 0; i < count; ++i) by_removed[i] = by_removed[i] && !by_others[i];
-  return by_removed;
-}
-
-void renumber_references(Scene& scene, const std::vector<int>& nodes) {
-  for (auto& skin : scene.skins) {
-    // A skin with removed joints is used by removed nodes only. It keeps its number of joints.
-    auto changed = std::make_shared<Skin>(*skin);
-    for (int& joint : changed->joints) joint = std::max(nodes[static_cast<size_t>(joint)], 0);
-    skin = std::move(changed);
-  }
-  for (auto& animation : scene.animations) {
-    auto changed = std::make_shared<Animation>(*animation);
-    for (AnimationChannel& channel : changed->channels)
-      if (channel.node >= 0 && static_cast<size_t>(channel.node) < nodes.size()) renumber(channel.node, nodes);
-    std::erase_if(changed->channels, [](const AnimationChannel& channel) { return channel.node < 0; });
-    animation = std::move(changed);
-  }
-}
-
-}  // namespace
-
-const std::vector<ShapeType>& shape_types() {
-  static const std::vector<ShapeType> types{{"sphere", "Sphere"}, {"plane", "Plane"}, {"box", "Box"}, {"disk", "Disk"}};
-  return types;
-}
-
-Result<Scene> with_edit(Scene scene, const StructuralEdit& edit) {
-  if (edit.name.size() > kMaxNameLength) return impossible_edit("a name has at most 1000 characters");
+Result<Scene> with_object_edit(Scene scene, const StructuralEdit& edit) {
   const bool adds = edit.kind < EditKind::duplicate;
-  if (adds && !is_valid_transform(edit.transform))
+  if (adds && (edit.transform.matrix || !is_valid_transform(edit.transform)))
     return impossible_edit("the transform of a new object is out of range");
   if (!adds && !is_reached(scene, edit.node))
     return impossible_edit("the scene has no object " + std::to_string(edit.node));
@@ -237,11 +198,100 @@ Result<Scene> with_edit(Scene scene, const StructuralEdit& edit) {
       return with_duplicate(std::move(scene), edit);
     case EditKind::remove:
       return without_node(std::move(scene), edit);
-    case EditKind::rename:
+    case EditKind::set_parent:
+      return with_parent(std::move(scene), edit);
+    default:
       set_name(scene, edit.node, edit.name);
       return scene;
   }
-  return impossible_edit("an unknown edit");
+}
+
+Error unknown_material(int material) {
+  return usage_error("the scene has no material " + std::to_string(material));
+}
+
+std::string quoted_name(const std::string& name, const char* kind, int index) {
+  return name.empty() ? kind + (" " + std::to_string(index)) : "'" + name + "'";
+}
+
+bool uses(const Primitive& primitive, int material) {
+  return primitive.material == material || std::ranges::find(primitive.choices, material) != primitive.choices.end();
+}
+
+Result<Scene> with_material(Scene scene, const StructuralEdit& edit) {
+  if (edit.material >= 0 && !has_material(scene, edit.material)) return unknown_material(edit.material);
+  Material material =
+      edit.material < 0 ? new_material(edit.name) : scene.materials[static_cast<size_t>(edit.material)];
+  material.name = edit.name;
+  scene.materials.push_back(std::move(material));
+  return scene;
+}
+
+Result<Scene> without_material(Scene scene, const StructuralEdit& edit) {
+  const std::string name =
+      quoted_name(scene.materials[static_cast<size_t>(edit.material)].name, "material", edit.material);
+  if (const int user = user_of_material(scene, edit.material); user >= 0)
+    return usage_error(name + " is used by " + quoted_name(scene.nodes[static_cast<size_t>(user)].name, "node", user) +
+                       "; assign another material to that object first");
+  if (scene.removed_materials.size() + 1 == scene.materials.size())
+    return usage_error(name + " is the only material of the scene");
+  scene.removed_materials.push_back(edit.material);
+  return scene;
+}
+
+// A mesh that other nodes show, too, is copied.
+Result<Scene> with_assigned_material(Scene scene, const StructuralEdit& edit) {
+  Node& node = scene.nodes[static_cast<size_t>(edit.node)];
+  if (node.mesh < 0) return usage_error(quoted_name(node.name, "node", edit.node) + " has no surface");
+  const auto count = static_cast<int>(scene.meshes[static_cast<size_t>(node.mesh)].primitives.size());
+  if (edit.primitive < -1 || edit.primitive >= count)
+    return usage_error(quoted_name(node.name, "node", edit.node) + " has no part " + std::to_string(edit.primitive));
+  if (std::ranges::count(scene.nodes, node.mesh, &Node::mesh) > 1) {
+    scene.meshes.push_back(MeshGroup(scene.meshes[static_cast<size_t>(node.mesh)]));
+    node.mesh = static_cast<int>(scene.meshes.size()) - 1;
+  }
+  auto& primitives = scene.meshes[static_cast<size_t>(node.mesh)].primitives;
+  for (int i = 0; i < count; ++i) {
+    if (edit.primitive >= 0 && edit.primitive != i) continue;
+    primitives[static_cast<size_t>(i)].material = edit.material;
+    primitives[static_cast<size_t>(i)].choices.clear();
+  }
+  return scene;
+}
+
+Result<Scene> with_texture(Scene scene, const StructuralEdit& edit) {
+  if (edit.file.empty()) return usage_error("a texture needs the name of its file");
+  Texture texture;
+  texture.image = edit.image.pixels;
+  texture.name = edit.file;
+  if (!texture.image) scene.warnings.push_back(edit.file + ": cannot be read as an image; the texture is white");
+  scene.textures.push_back(std::move(texture));
+  return scene;
+}
+
+Result<Scene> with_material_edit(Scene scene, const StructuralEdit& edit) {
+  if (edit.kind == EditKind::add_material) return with_material(std::move(scene), edit);
+  if (edit.kind == EditKind::add_texture) return with_texture(std::move(scene), edit);
+  if (!has_material(scene, edit.material)) return unknown_material(edit.material);
+  if (edit.kind == EditKind::remove_material) return without_material(std::move(scene), edit);
+  if (edit.kind == EditKind::assign_material) return with_assigned_material(std::move(scene), edit);
+  scene.materials[static_cast<size_t>(edit.material)].name = edit.name;
+  return scene;
+}
+
+}  // namespace
+
+const std::vector<ShapeType>& shape_types() {
+  static const std::vector<ShapeType> types{{"sphere", "Sphere"}, {"plane", "Plane"}, {"box", "Box"}, {"disk", "Disk"}};
+  return types;
+}
+
+Result<Scene> with_edit(Scene scene, const StructuralEdit& edit) {
+  if (edit.name.size() > kMaxNameLength) return impossible_edit("a name has at most 1000 characters");
+  if (edit.kind < EditKind::add_material) return with_object_edit(std::move(scene), edit);
+  if (edit.kind == EditKind::assign_material && !is_reached(scene, edit.node))
+    return impossible_edit("the scene has no object " + std::to_string(edit.node));
+  return with_material_edit(std::move(scene), edit);
 }
 
 Result<Scene> with_edits(Scene scene, const std::vector<StructuralEdit>& edits) {
@@ -253,38 +303,47 @@ Result<Scene> with_edits(Scene scene, const std::vector<StructuralEdit>& edits) 
   return scene;
 }
 
+Result<void> read_image(StructuralEdit& edit) {
+  if (edit.kind != EditKind::add_texture || edit.image.pixels) return {};
+  const auto bytes = read_file(edit.file);
+  if (!bytes) return bytes.error();
+  auto pixels = image::decode_image(*bytes, edit.file);
+  if (!pixels) return pixels.error();
+  edit.image.pixels = std::make_shared<const image::Image>(std::move(*pixels));
+  return {};
+}
+
+bool has_material(const Scene& scene, int material) {
+  return material >= 0 && static_cast<size_t>(material) < scene.materials.size() &&
+         std::ranges::find(scene.removed_materials, material) == scene.removed_materials.end();
+}
+
+int user_of_material(const Scene& scene, int material) {
+  const std::vector<bool> is_reached = reached(scene);
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int mesh = scene.nodes[i].mesh;
+    if (!is_reached[i] || mesh < 0) continue;
+    const auto& primitives = scene.meshes[static_cast<size_t>(mesh)].primitives;
+    if (std::ranges::any_of(primitives, [&](const Primitive& p) { return uses(p, material); }))
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::vector<int> subtree_of(const Scene& scene, int node) {
+  std::vector<int> list{node};
+  for (size_t i = 0; i < list.size(); ++i) {
+    const auto& children = scene.nodes[static_cast<size_t>(list[i])].children;
+    list.insert(list.end(), children.begin(), children.end());
+  }
+  return list;
+}
+
 std::vector<bool> reached(const Scene& scene) {
   std::vector<bool> marks(scene.nodes.size());
   for (const int root : scene.roots)
     for (const int node : subtree_of(scene, root)) marks[static_cast<size_t>(node)] = true;
   return marks;
-}
-
-Scene without_removed(const Scene& scene, const std::vector<StructuralEdit>& edits) {
-  std::vector<bool> removed(scene.nodes.size());
-  for (const StructuralEdit& edit : edits)
-    if (edit.kind == EditKind::remove)
-      for (const int node : subtree_of(scene, edit.node)) removed[static_cast<size_t>(node)] = true;
-  if (std::ranges::find(removed, true) == removed.end()) return scene;
-  Scene result = scene;
-  const auto lights = indices_after_removal(unused(scene, removed, &Node::light, scene.lights.size()));
-  const auto cameras = indices_after_removal(unused(scene, removed, &Node::camera, scene.cameras.size()));
-  const auto meshes = indices_after_removal(unused(scene, removed, &Node::mesh, scene.meshes.size()));
-  const auto nodes = indices_after_removal(removed);
-  erase_marked(result.lights, lights);
-  erase_marked(result.cameras, cameras);
-  erase_marked(result.meshes, meshes);
-  erase_marked(result.nodes, nodes);
-  for (Node& node : result.nodes) {
-    renumber(node.light, lights);
-    renumber(node.camera, cameras);
-    renumber(node.mesh, meshes);
-    renumber(node.parent, nodes);
-    renumber(node.children, nodes);
-  }
-  renumber(result.roots, nodes);
-  renumber_references(result, nodes);
-  return result;
 }
 
 }  // namespace etendue::scene

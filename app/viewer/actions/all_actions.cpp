@@ -26,6 +26,7 @@ void add_all_actions(ActionList& actions, const PanelSet& panels) {
   add_file_actions(actions);
   add_edit_actions(actions);
   add_object_actions(actions);
+  add_material_actions(actions);
   add_render_actions(actions);
   add_integrator_actions(actions);
   add_view_actions(actions);

@@ -14,6 +14,7 @@ void add_view_actions(ActionList& actions);
 void add_zoom_actions(ActionList& actions);
 void add_inspection_actions(ActionList& actions);
 void add_object_actions(ActionList& actions);
+void add_material_actions(ActionList& actions);
 void add_comparison_actions(ActionList& actions);
 
 // The actions of the panels, and for each panel an action "view.NAME" that opens it.

@@ -53,6 +53,8 @@ void draw_files(AppState& state) {
   const std::string last = "Folder of the last file";
   draw_folder(state, "Snapshots", "preferences.snapshot-folder", default_snapshot_folder().string(),
               "Folder to which Save snapshot writes its images", settings.snapshot_folder);
+  draw_folder(state, "Materials", "preferences.material-folder", default_material_folder().string(),
+              "Folder of the material library", settings.material_folder);
   draw_folder(state, "Scenes", "preferences.scene-folder", last, "Folder in which the dialog for opening scenes starts",
               settings.scene_folder);
   draw_folder(state, "Environments", "preferences.environment-folder", last,

@@ -2,16 +2,24 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "bsdf/bsdf_model.h"
 #include "bsdf/fresnel/metal_spectra.h"
 #include "render/document.h"
 #include "spectrum/uplift.h"
+#include "scene/structural_edit.h"
+#include "viewer/panels/library_section.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/texture_section.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/material_edits.h"
 #include "viewer/tasks/surface_analysis.h"
+#include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/number_widget.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/spectrum_editor.h"
 #include "viewer/widgets/surface_checks.h"
@@ -20,6 +28,9 @@ namespace etendue::viewer {
 namespace {
 
 using Names = std::vector<std::string>;
+
+constexpr const char* kMaterialNameItem = "material.name";
+constexpr const char* kPresetsItem = "material.presets";
 
 // Parameters of materials, without "material.N.", by the group that shows them.
 const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b",     "emission.r",
@@ -47,27 +58,6 @@ constexpr Layer kLayers[] = {
     {"Diffuse transmission", "diffuse-transmission", [](const Material& m) { return m.diffuse_transmission > 0; }},
 };
 
-bool has_textures(const Material& m) {
-  const TextureUse* uses[] = {&m.base_color_texture,
-                              &m.metallic_roughness_texture,
-                              &m.normal_texture,
-                              &m.emission_texture,
-                              &m.specular_texture,
-                              &m.specular_color_texture,
-                              &m.transmission_texture,
-                              &m.anisotropy_texture,
-                              &m.clearcoat_texture,
-                              &m.clearcoat_roughness_texture,
-                              &m.clearcoat_normal_texture,
-                              &m.sheen_color_texture,
-                              &m.sheen_roughness_texture,
-                              &m.iridescence_texture,
-                              &m.iridescence_thickness_texture,
-                              &m.diffuse_transmission_texture,
-                              &m.diffuse_transmission_color_texture};
-  return std::ranges::any_of(uses, [](const TextureUse* use) { return use->texture >= 0; });
-}
-
 // The names of all parameters of a section that begin with a prefix, without the section.
 Names names_with_prefix(const AppState& state, const std::string& section, const std::string& prefix) {
   Names names;
@@ -85,6 +75,7 @@ void material_combo(AppState& state, const scene::Scene& scene, bool has_selecti
   ImGui::SetNextItemWidth(-1);
   if (ImGui::BeginCombo("##material", has_selection ? name(selected).c_str() : "No material selected")) {
     for (size_t i = 0; i < scene.materials.size(); ++i) {
+      if (!scene::has_material(scene, static_cast<int>(i))) continue;
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::Selectable(name(i).c_str(), has_selection && i == selected))
         state.selection.material = static_cast<int>(i);
@@ -98,6 +89,53 @@ void material_combo(AppState& state, const scene::Scene& scene, bool has_selecti
     tooltip(state.ui, "The material to edit. A click in the image selects the material under the pointer");
 }
 
+// The name of the selected material, which is applied when the field is left, and what can be done with the material.
+void name_and_buttons(AppState& state, const Material& material) {
+  std::array<char, 256> text{};
+  material.name.copy(text.data(), text.size() - 1);
+  label_column("Name");
+  const bool entered =
+      ImGui::InputText("##material-name", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = ImGui::IsItemDeactivatedAfterEdit();
+  state.ui.items.add(kMaterialNameItem);
+  if (const auto requested = state.ui.items.take_request(kMaterialNameItem)) {
+    rename_material(state, *requested);
+    state.ui.items.answer("");
+  } else if ((entered || left) && material.name != text.data()) {
+    rename_material(state, text.data());
+  }
+  bool is_first = true;
+  for (const char* name : {"material.assign", "material.add", "material.duplicate", "material.delete", "material.copy",
+                           "material.paste"}) {
+    const std::string& label = state.actions.find(name)->label;
+    if (!std::exchange(is_first, false))
+      same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
+    action_button(state, name);
+  }
+}
+
+// The presets of all reflection models.
+void presets_combo(AppState& state) {
+  label_column("Presets");
+  if (ImGui::BeginCombo("##presets", "All models...", ImGuiComboFlags_HeightLarge)) {
+    size_t index = 0;
+    for (const BsdfModelInfo& model : bsdf_model_infos()) {
+      if (model.presets.empty()) continue;
+      ImGui::Separator();
+      ImGui::TextDisabled("%s", model.description.label);
+      for (const ModelPreset& preset : model.presets) {
+        ImGui::PushID(static_cast<int>(index));
+        if (ImGui::Selectable(preset.label.c_str())) set_model_preset(state, model.description.name, preset.name);
+        ImGui::PopID();
+        state.ui.items.add(std::string(kPresetsItem) + "." + std::to_string(index++));
+      }
+    }
+    ImGui::EndCombo();
+  }
+  state.ui.items.add(kPresetsItem);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Selects a reflection model with the parameters of a known material");
+}
+
 Names medium_names(const AppState& state, const std::string& section) {
   Names names;
   for (const char* prefix : kMediumPrefixes) append(names, names_with_prefix(state, section, prefix));
@@ -106,6 +144,7 @@ Names medium_names(const AppState& state, const std::string& section) {
 
 void model_widgets(AppState& state, const std::string& section, const BsdfModelRef& model) {
   section_widgets_for(state, section, {"model"});
+  presets_combo(state);
   draw_surface_checks(state.ui, state.tasks.surface_analysis->result(0));
   if (!model) return;
   const BsdfModelDescription& description = model->info().description;
@@ -128,6 +167,7 @@ void gltf_widgets(AppState& state, const std::string& section, const Material& m
   append(in_other_groups, kTransmissionNames);
   append(in_other_groups, kOpacityNames);
   append(in_other_groups, medium_names(state, section));
+  append(in_other_groups, names_with_prefix(state, section, "texture."));
   for (const Layer& layer : kLayers) append(in_other_groups, names_with_prefix(state, section, layer.prefix));
   if (group(state.ui, "Base layer", prefix)) {
     section_widgets_except(state, section, in_other_groups);
@@ -167,12 +207,15 @@ class MaterialPanel final : public Panel {
   void draw(AppState& state) override {
     const auto scene = state.document().scene;
     const int selected = state.selection.material;
-    const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->materials.size();
+    const bool has_selection = scene::has_material(*scene, selected);
     if (!has_selection) note(state.ui, "Click a surface in the image or choose a material:");
     material_combo(state, *scene, has_selection);
-    if (!has_selection) return;
+    if (!has_selection) {
+      action_button(state, "material.add");
+      return;
+    }
     const Material& material = scene->materials[static_cast<size_t>(selected)];
-    if (has_textures(material)) note(state.ui, "Textured: the values below multiply the textures.");
+    name_and_buttons(state, material);
     const std::string section = "material." + std::to_string(selected);
     const std::string prefix = section + ".";
     if (group(state.ui, "Model", prefix)) model_widgets(state, section, material.model);
@@ -189,11 +232,23 @@ class MaterialPanel final : public Panel {
       coefficient_editors(state, section, material.medium);
     }
     if (group(state.ui, "Opacity and sidedness", prefix)) section_widgets_for(state, section, kOpacityNames);
+    if (group(state.ui, "Textures", "material.texture", true)) textures_.draw(state, material);
+    if (group(state.ui, "Library", "material.library", true)) library_.draw(state);
     if (group(state.ui, "Spectrum", prefix, false)) draw_spectrum(state.ui, material);
   }
 
   std::vector<ItemInfo> items() const override {
-    return {{"material.spectrum-plot", "Spectrum", "Reflectance by wavelength of a metal or of the base colour"},
+    return {{kMaterialNameItem, "Name", "Name of the selected material"},
+            {kPresetsItem, "Presets", "Opens the list of the presets of all reflection models"},
+            {"material.presets.N", "Preset N", "Selects preset N of the open list"},
+            {"material.texture.SLOT", "Texture", "Image of a texture"},
+            {"material.texture.SLOT.replace", "Replace...", "Reads another image file for a texture"},
+            {"material.texture.SLOT.remove", "Remove", "Removes a texture from the material"},
+            {"material.texture.add", "Add texture...", "Opens the list of textures that the material does not have"},
+            {"material.texture.add.SLOT", "Texture", "Reads an image file for a texture of the open list"},
+            {"material.library.N", "Material file N", "Gives the selected material the parameters of the file"},
+            {"material.library.N.add", "Add as new material", "Adds a material from the file of the open menu"},
+            {"material.spectrum-plot", "Spectrum", "Reflectance by wavelength of a metal or of the base colour"},
             {"material.N.emission-spectrum.points", "Emission", "Moves the points of the emission spectrum"},
             {"material.N.emission-spectrum.edit", "Edit as points", "Replaces the emission spectrum by points"},
             {"material.N.scattering-spectrum.points", "Scattering", "Moves the points of the scattering coefficient"},
@@ -205,14 +260,23 @@ class MaterialPanel final : public Panel {
   }
 
   bool reveal_parameter(AppState& state, const std::string& name) override {
+    if (name == kMaterialNameItem || name == "textures.channel") return true;
     const auto index = object_index(name, "material");
     if (index) state.selection.material = *index;
     return index.has_value();
   }
 
+  std::vector<ParameterInfo> parameters() const override {
+    return describe_all(TextureSection::Parameters{}.all());
+  }
+
   void update(AppState& state) override {
     if (state.is_visible(*this)) state.tasks.surface_analysis->request_checks();
   }
+
+ private:
+  TextureSection textures_;
+  LibrarySection library_;
 };
 
 }  // namespace

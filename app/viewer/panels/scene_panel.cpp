@@ -137,8 +137,9 @@ void visibility_checkbox(AppState& state, const scene::Node& node, const std::st
 // The context menu of a node.
 void draw_node_menu(AppState& state, const scene::Node& node, int index) {
   if (!ImGui::BeginPopupContextItem("##menu")) return;
-  if (state.selection.node != index) state.select(index, -1);
-  for (const char* action : {"view.frame-selection", "object.duplicate", "object.delete"})
+  if (!is_selected(state, index)) state.select(index, -1);
+  for (const char* action :
+       {"view.frame-selection", "object.duplicate", "object.delete", "object.parent", "object.unparent"})
     action_menu_item(state, *state.actions.find(action));
   const std::string parameter = "node." + std::to_string(index) + ".visible";
   if (ImGui::MenuItem(node.visible ? "Hide" : "Show")) state.set_parameter(parameter, !node.visible);
@@ -164,6 +165,20 @@ bool draw_tree_item(AppState& state, const scene::Scene& scene, int index, ImGui
   return open;
 }
 
+// A node that is dropped on another one becomes its child.
+void drag_to_parent(AppState& state, const scene::Scene& scene, int index) {
+  constexpr const char* kPayload = "node";
+  if (ImGui::BeginDragDropSource()) {
+    ImGui::SetDragDropPayload(kPayload, &index, sizeof index);
+    ImGui::TextUnformatted(("Make child: " + node_name(scene, index)).c_str());
+    ImGui::EndDragDropSource();
+  }
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kPayload))
+    set_parent(state, {*static_cast<const int*>(payload->Data)}, index);
+  ImGui::EndDragDropTarget();
+}
+
 // A node and its children. The node `scroll_to` is brought on screen; -1: none.
 void draw_node(AppState& state, const scene::Scene& scene, const TreeFilter& filter, int index, int scroll_to) {
   if (!filter.shows(index)) return;
@@ -176,11 +191,17 @@ void draw_node(AppState& state, const scene::Scene& scene, const TreeFilter& fil
   ImGuiTreeNodeFlags flags =
       ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen;
   if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
-  if (selected == index) flags |= ImGuiTreeNodeFlags_Selected;
+  if (is_selected(state, index)) flags |= ImGuiTreeNodeFlags_Selected;
   if (selected >= 0 && is_ancestor(scene, index, selected)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
   if (filter.is_active()) ImGui::SetNextItemOpen(true);
   const bool open = draw_tree_item(state, scene, index, flags);
-  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) {
+    if (state.ui.input.control())
+      toggle_selected(state, index, -1);
+    else
+      state.select(index, -1);
+  }
+  drag_to_parent(state, scene, index);
   if (index == scroll_to && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   state.ui.items.add("scene." + section);
   draw_node_menu(state, node, index);
@@ -240,7 +261,10 @@ class ScenePanel final : public Panel {
   bool reveal_parameter(AppState& state, const std::string& name) override {
     if (name.starts_with("scene.") || name == kNameItem) return true;
     const auto index = object_index(name, "node");
-    if (index) state.selection.node = *index;
+    if (index) {
+      state.selection.node = *index;
+      state.selection.others.clear();
+    }
     return index.has_value();
   }
 

@@ -328,6 +328,33 @@ class ImageClickStep final : public Step {
   std::optional<DragStep> click_;
 };
 
+// Another step while a modifier key is held.
+class HoldingStep final : public Step {
+ public:
+  HoldingStep(int key, std::unique_ptr<Step> step) : key_(key), step_(std::move(step)) {}
+
+  StepStatus advance(AppState& state) override {
+    if (frame_++ == 0) push(state, true);
+    if (done_) return {.done = reaction_.advance()};
+    StepStatus status = step_->advance(state);
+    if (!status.done && status.error.empty()) return status;
+    push(state, false);
+    done_ = true;
+    return {.error = std::move(status.error)};
+  }
+
+ private:
+  void push(AppState& state, bool down) const {
+    state.platform.events().push({.type = Event::Type::key, .key = key_, .down = down});
+  }
+
+  int key_;
+  std::unique_ptr<Step> step_;
+  int frame_ = 0;
+  bool done_ = false;
+  FrameDelay reaction_{2};
+};
+
 Vec2 point_of(const nlohmann::json& j) { return {j.at(0).get<float>(), j.at(1).get<float>()}; }
 
 Button button_of(const nlohmann::json& j) {
@@ -341,6 +368,17 @@ std::string value_text(const nlohmann::json& j) { return j.is_string() ? j.get<s
 }  // namespace
 
 Result<std::unique_ptr<Step>> make_input_step(const std::string& action, const nlohmann::json& j) {
+  if (j.contains("holding")) {
+    constexpr int kShift = 340, kControl = 341;  // GLFW_KEY_LEFT_SHIFT, ...
+    const std::string modifier = j["holding"].get<std::string>();
+    if (modifier != "ctrl" && modifier != "shift") return usage_error("'holding' is ctrl or shift");
+    nlohmann::json rest = j;
+    rest.erase("holding");
+    auto step = make_input_step(action, rest);
+    if (!step || !*step) return step;
+    return std::unique_ptr<Step>(
+        std::make_unique<HoldingStep>(modifier == "ctrl" ? kControl : kShift, std::move(*step)));
+  }
   const auto result = [](auto step) { return std::unique_ptr<Step>(std::move(step)); };
   const auto text = [&](const char* member) { return j.at(member).get<std::string>(); };
   if (action == "set") return result(std::make_unique<SetStep>(text("name"), value_text(j.at("value"))));

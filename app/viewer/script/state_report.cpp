@@ -157,7 +157,7 @@ std::string state_report(AppState& state) {
          {"phase", status.phase},
          {"obstacle", state.incompatibility()},
          {"scene", editor.document().scene_name},
-         {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}}},
+         {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}, {"others", selection.others}}},
          {"popup_open", state.interface.popup_open},
          {"palette_selection_is_visible", state.ui.items.find("palette.selected") != nullptr},
          {"tab", tab ? tab->info().name : ""},

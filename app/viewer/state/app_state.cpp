@@ -155,6 +155,8 @@ void AppState::store_settings() {
 
 void AppState::select(int node, int material) {
   selection.node = node;
+  selection.others.clear();
+  selection.part = material;
   if (material >= 0) selection.material = material;
   // An image of an earlier document may show objects that this one does not have.
   drop_stale_selection(*this);
@@ -165,6 +167,7 @@ void AppState::select(int node, int material) {
   if (material >= 0 || selected.mesh < 0) return;
   const auto& primitives = scene.meshes[static_cast<size_t>(selected.mesh)].primitives;
   if (!primitives.empty()) selection.material = primitives.front().material;
+  selection.part = primitives.size() == 1 ? selection.material : -1;
 }
 
 bool AppState::shows_aov() const {

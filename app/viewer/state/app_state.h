@@ -16,6 +16,7 @@
 #include "viewer/files/edit_journal.h"
 #include "viewer/files/file_request.h"
 #include "viewer/panels/panel_set.h"
+#include "viewer/state/material_edits.h"
 #include "viewer/state/node_places.h"
 #include "viewer/state/notices.h"
 #include "viewer/state/settings.h"
@@ -61,6 +62,8 @@ struct Selection {
   int node = -1;
   int material = -1;
   int light = -1;
+  std::vector<int> others{};  // nodes that are selected besides `node`, in the order of their selection
+  int part = -1;  // the material of the part of the node that was selected
 };
 
 // A tool that uses the next click in the image.
@@ -188,7 +191,7 @@ struct AppState {
   void after_unsaved_edits(std::function<void(AppState&)> proceed);
   // Writes the settings file, unless settings are not kept.
   void store_settings();
-  // Selects a node, and its material and light. A negative material stands for the first one of the node.
+  // Selects one node, and its material and light. A negative material stands for the first one of the node.
   void select(int node, int material);
 
   // Whether the panel is open and the interface is not hidden.
@@ -207,6 +210,7 @@ struct AppState {
   UiContext ui;
   InterfaceState interface;
   Selection selection;
+  MaterialClipboard material_clipboard;
   ActionList actions;
   std::string previous_integrator;  // for the action that switches back to it
   Timing timing;

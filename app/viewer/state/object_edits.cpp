@@ -42,14 +42,27 @@ std::string free_name(const scene::Scene& scene, const std::string& base) {
   }
 }
 
-std::string selected_name(const AppState& state) {
-  const auto index = static_cast<size_t>(state.selection.node);
-  return object_name(scene_of(state).nodes[index].name, "node", index);
+std::string node_name_of(const scene::Scene& scene, int node) {
+  return object_name(scene.nodes[static_cast<size_t>(node)].name, "node", static_cast<size_t>(node));
+}
+
+std::string selected_name(const AppState& state) { return node_name_of(scene_of(state), state.selection.node); }
+
+// "box", or "3 objects".
+std::string names_of(const AppState& state, const std::vector<int>& nodes) {
+  return nodes.size() == 1 ? node_name_of(scene_of(state), nodes.front()) : std::to_string(nodes.size()) + " objects";
+}
+
+bool has_ancestor_in(const scene::Scene& scene, int node, const std::vector<int>& nodes) {
+  for (int i = scene.nodes[static_cast<size_t>(node)].parent; i >= 0; i = scene.nodes[static_cast<size_t>(i)].parent)
+    if (std::ranges::find(nodes, i) != nodes.end()) return true;
+  return false;
 }
 
 // The document after the edit; an error becomes a message.
-std::optional<render::Document> edited(AppState& state, const StructuralEdit& edit) {
-  auto changed = render::with_structural_edit(state.document(), edit);
+std::optional<render::Document> edited(AppState& state, const render::Document& document,
+                                       const StructuralEdit& edit) {
+  auto changed = render::with_structural_edit(document, edit);
   if (changed) return std::move(*changed);
   state.notices.add_error(changed.error().message);
   return std::nullopt;
@@ -86,7 +99,7 @@ void add_light(AppState& state, const std::string& type) {
   // The light emits downwards: its -z axis points along -y.
   edit.transform.rotation = Vec4(-half, 0, 0, half);
   edit.transform.translation = state.viewport.camera_controller.pivot() + Vec3(0, height, 0);
-  auto changed = edited(state, edit);
+  auto changed = edited(state, state.document(), edit);
   if (!changed) return;
   set_intensity_of_new_light(*changed, height);
   add_object(state, edit, std::move(*changed));
@@ -100,7 +113,7 @@ void add_shape(AppState& state, const std::string& type) {
   // A shape stands on the surface at the centre of orbits; flat ones are slightly above it.
   edit.transform.translation = state.viewport.camera_controller.pivot() + Vec3(0, is_flat ? 0.02f * size : size, 0);
   edit.transform.scale = Vec3(size);
-  if (auto changed = edited(state, edit)) add_object(state, edit, std::move(*changed));
+  if (auto changed = edited(state, state.document(), edit)) add_object(state, edit, std::move(*changed));
 }
 
 void add_camera(AppState& state) {
@@ -112,49 +125,124 @@ void add_camera(AppState& state) {
   edit.transform = *transform;
   edit.transform.scale = Vec3(1);
   edit.camera = view;
-  if (auto changed = edited(state, edit)) add_object(state, edit, std::move(*changed));
+  if (auto changed = edited(state, state.document(), edit)) add_object(state, edit, std::move(*changed));
+}
+
+std::vector<int> selected_nodes(const AppState& state) {
+  std::vector<int> nodes = state.selection.others;
+  if (state.selection.node >= 0) nodes.push_back(state.selection.node);
+  return nodes;
+}
+
+std::vector<int> selected_roots(const AppState& state) {
+  const std::vector<int> nodes = selected_nodes(state);
+  std::vector<int> roots;
+  for (const int node : nodes)
+    if (!has_ancestor_in(scene_of(state), node, nodes)) roots.push_back(node);
+  return roots;
+}
+
+bool is_selected(const AppState& state, int node) {
+  return node >= 0 && (state.selection.node == node || std::ranges::count(state.selection.others, node) > 0);
+}
+
+void toggle_selected(AppState& state, int node, int material) {
+  std::vector<int> nodes = selected_nodes(state);
+  const bool removes = std::erase(nodes, node) > 0;
+  const int active = removes ? (nodes.empty() ? -1 : nodes.back()) : node;
+  std::erase(nodes, active);
+  state.select(active, removes ? -1 : material);
+  state.selection.others = std::move(nodes);
+  drop_stale_selection(state);
 }
 
 void duplicate_selected(AppState& state) {
-  if (state.selection.node < 0) return;
-  const auto& scene = scene_of(state);
-  const auto& original = scene.nodes[static_cast<size_t>(state.selection.node)];
-  const std::string base = object_name(original.name, "node", static_cast<size_t>(state.selection.node));
-  const StructuralEdit edit{.kind = EditKind::duplicate, .node = state.selection.node, .name = free_name(scene, base)};
-  auto changed = edited(state, edit);
-  if (!changed) return;
-  const std::string parameter = "node." + std::to_string(scene.nodes.size()) + ".translation.x";
-  if (const auto x = document_parameter(*changed, parameter))
-    assign(*changed, parameter,
-           std::get<double>(x->info.default_value) + static_cast<double>(kDuplicateOffset * scene_radius(state)));
-  const int node = static_cast<int>(scene.nodes.size());
-  state.edit(std::move(*changed), "Duplicate " + base);
-  state.select(node, -1);
+  const std::vector<int> originals = selected_roots(state);
+  std::optional<render::Document> changed = state.document();
+  std::vector<int> copies;
+  for (const int original : originals) {
+    const scene::Scene& scene = *changed->scene;
+    const std::string base = node_name_of(scene, original);
+    copies.push_back(static_cast<int>(scene.nodes.size()));
+    changed = edited(state, *changed,
+                     {.kind = EditKind::duplicate, .node = original, .name = free_name(scene, base)});
+    if (!changed) return;
+    const std::string parameter = "node." + std::to_string(copies.back()) + ".translation.x";
+    if (const auto x = document_parameter(*changed, parameter))
+      assign(*changed, parameter,
+             std::get<double>(x->info.default_value) + static_cast<double>(kDuplicateOffset * scene_radius(state)));
+  }
+  if (copies.empty()) return;
+  state.edit(std::move(*changed), "Duplicate " + names_of(state, originals));
+  state.select(copies.back(), -1);
+  state.selection.others.assign(copies.begin(), copies.end() - 1);
 }
 
 void delete_selected(AppState& state) {
-  const int node = state.selection.node;
-  if (node < 0) return;
-  const bool is_view = scene::node_of_camera(scene_of(state), state.document().camera) == node;
-  const std::string name = selected_name(state);
-  auto changed = edited(state, {.kind = EditKind::remove, .node = node});
-  if (!changed) return;
+  const std::vector<int> nodes = selected_roots(state);
+  if (nodes.empty()) return;
+  const bool is_view =
+      std::ranges::count(nodes, scene::node_of_camera(scene_of(state), state.document().camera)) > 0;
+  const std::string name = names_of(state, nodes);
+  std::optional<render::Document> changed = state.document();
+  for (const int node : nodes) {
+    changed = edited(state, *changed, {.kind = EditKind::remove, .node = node});
+    if (!changed) return;
+  }
   state.edit(std::move(*changed), "Delete " + name);
   drop_stale_selection(state);
   state.notices.add_message(is_view ? "Deleted the camera " + name + ". The view stays." : "Deleted " + name);
 }
 
+void set_parent(AppState& state, const std::vector<int>& nodes, int parent) {
+  const std::string name = names_of(state, nodes);
+  std::optional<render::Document> changed = state.document();
+  for (const int node : nodes) {
+    const scene::Scene& scene = *changed->scene;
+    if (scene.nodes[static_cast<size_t>(node)].parent == parent) continue;
+    const std::vector<Mat4> world = scene::world_matrices(scene);
+    const Mat4 parent_to_world = parent < 0 ? Mat4(1) : world[static_cast<size_t>(parent)];
+    if (scene::is_singular(parent_to_world))
+      return state.notices.add_error("The transform of the parent has no inverse, so the object cannot keep its place");
+    const Mat4 local = glm::inverse(parent_to_world) * world[static_cast<size_t>(node)];
+    StructuralEdit edit{.kind = EditKind::set_parent, .node = node, .parent = parent};
+    if (const auto parts = scene::decompose({.matrix = local}))
+      edit.transform = *parts;
+    else
+      edit.transform.matrix = local;
+    changed = edited(state, *changed, edit);
+    if (!changed) return;
+  }
+  if (changed->scene == state.document().scene) return;
+  state.edit(std::move(*changed), (parent < 0 ? "Unparent " : "Parent ") + name);
+}
+
+bool can_parent_selected(const AppState& state) { return state.has_document() && !state.selection.others.empty(); }
+
+void parent_selected(AppState& state) {
+  if (can_parent_selected(state)) set_parent(state, state.selection.others, state.selection.node);
+}
+
+void unparent_selected(AppState& state) {
+  if (const auto nodes = selected_nodes(state); !nodes.empty()) set_parent(state, nodes, -1);
+}
+
 void rename_selected(AppState& state, const std::string& name) {
   if (state.selection.node < 0) return;
   const std::string old = selected_name(state);
-  if (auto changed = edited(state, {.kind = EditKind::rename, .node = state.selection.node, .name = name}))
+  if (auto changed = edited(state, state.document(), {.kind = EditKind::rename, .node = state.selection.node, .name = name}))
     state.edit(std::move(*changed), "Rename " + old);
 }
 
 void toggle_visibility_of_selected(AppState& state) {
-  if (state.selection.node < 0) return;
+  const std::vector<int> nodes = selected_nodes(state);
+  if (nodes.empty()) return;
   const bool visible = scene_of(state).nodes[static_cast<size_t>(state.selection.node)].visible;
-  state.set_parameter("node." + std::to_string(state.selection.node) + ".visible", !visible);
+  render::Document changed = state.document();
+  auto scene = std::make_shared<scene::Scene>(*changed.scene);
+  for (const int node : nodes) scene->nodes[static_cast<size_t>(node)].visible = !visible;
+  changed.scene = std::move(scene);
+  state.edit(std::move(changed), (visible ? "Hide " : "Show ") + names_of(state, nodes));
 }
 
 const std::vector<int>& light_nodes(const AppState& state) {
@@ -194,10 +282,15 @@ void drop_stale_selection(AppState& state) {
   const auto& scene = scene_of(state);
   const std::vector<bool>& exists = state.viewport.node_places.of(state.document().scene).exists;
   const auto is_stale = [](int index, size_t count) { return index >= 0 && static_cast<size_t>(index) >= count; };
-  if (is_stale(selection.node, scene.nodes.size()) ||
-      (selection.node >= 0 && !exists[static_cast<size_t>(selection.node)]))
-    selection.node = -1;
-  if (is_stale(selection.material, scene.materials.size())) selection.material = -1;
+  const auto is_stale_node = [&](int node) {
+    return is_stale(node, scene.nodes.size()) || (node >= 0 && !exists[static_cast<size_t>(node)]);
+  };
+  std::erase_if(selection.others, is_stale_node);
+  if (is_stale_node(selection.node)) {
+    selection.node = selection.others.empty() ? -1 : selection.others.back();
+    if (selection.node >= 0) selection.others.pop_back();
+  }
+  if (selection.material >= 0 && !scene::has_material(scene, selection.material)) selection.material = -1;
   const auto shows_light = [&](int node) { return scene.nodes[static_cast<size_t>(node)].light == selection.light; };
   if (is_stale(selection.light, scene.lights.size()) ||
       (selection.light >= 0 && std::ranges::none_of(light_nodes(state), shows_light)))

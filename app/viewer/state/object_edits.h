@@ -16,11 +16,25 @@ void add_shape(AppState& state, const std::string& type);
 // Adds a camera with position and lens of the current view.
 void add_camera(AppState& state);
 
-// These do nothing without a selected node.
+// All selected nodes, the active one (Selection::node) last; and those whose ancestors are not selected.
+std::vector<int> selected_nodes(const AppState& state);
+std::vector<int> selected_roots(const AppState& state);
+bool is_selected(const AppState& state, int node);
+// Adds a node to the selection, or removes it. An added node is the active one.
+void toggle_selected(AppState& state, int node, int material);
+
+// These apply to all selected nodes, and do nothing without one. Names are those of the active node.
 void duplicate_selected(AppState& state);
 void delete_selected(AppState& state);
 void rename_selected(AppState& state, const std::string& name);
 void toggle_visibility_of_selected(AppState& state);
+
+// Makes nodes children of a node, or roots if it is -1. Their places in the world stay.
+void set_parent(AppState& state, const std::vector<int>& nodes, int parent);
+// The other selected nodes become children of the active one.
+void parent_selected(AppState& state);
+void unparent_selected(AppState& state);
+bool can_parent_selected(const AppState& state);
 
 // The nodes of the scene that have a light and that were not removed.
 const std::vector<int>& light_nodes(const AppState& state);

@@ -36,6 +36,7 @@ Settings from_json(const json& j) {
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
+  s.material_folder = j.value("material_folder", "");
   s.scene_folder = j.value("scene_folder", "");
   s.environment_folder = j.value("environment_folder", "");
   if (j.contains("shortcuts")) s.shortcuts = j["shortcuts"].get<std::map<std::string, std::string>>();
@@ -57,6 +58,7 @@ json to_json(const Settings& s) {
          {"threads", s.threads},
          {"environment", s.environment},
          {"snapshot_folder", s.snapshot_folder},
+         {"material_folder", s.material_folder},
          {"scene_folder", s.scene_folder},
          {"environment_folder", s.environment_folder},
          {"shortcuts", s.shortcuts}};
@@ -80,6 +82,11 @@ fs::path default_snapshot_folder() {
   if (const fs::path pictures = pictures_folder(); !pictures.empty()) return pictures / "etendue";
   const fs::path state = state_folder();
   return state.empty() ? state : state / "snapshots";
+}
+
+fs::path default_material_folder() {
+  const fs::path data = data_folder();
+  return data.empty() ? data : data / "materials";
 }
 
 Settings load_settings(const fs::path& file, std::string& note) {

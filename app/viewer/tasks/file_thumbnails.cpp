@@ -8,9 +8,11 @@
 #include "image/image.h"
 #include "render/automatic_exposure.h"
 #include "render/image_output.h"
+#include "render/material_settings.h"
 #include "render/session.h"
 #include "render/session_file.h"
 #include "scene/builtin/builtin.h"
+#include "scene/preview.h"
 #include "viewer/files/file_names.h"
 
 namespace etendue::viewer {
@@ -87,11 +89,28 @@ Result<ThumbnailImage> reduced_image(const std::string& file) {
   return make_image(to, reduced(image->layers.front().pixels, from, to), display);
 }
 
+// The material on a sphere in studio light.
+Result<ThumbnailImage> material_image(const std::string& file) {
+  constexpr int kSide = 96;  // pixels
+  render::Document document;
+  auto scene = std::make_shared<scene::Scene>();
+  scene->materials.emplace_back();
+  document.scene = scene;
+  const auto loaded = render::with_material_file(document, 0, file);
+  if (!loaded) return loaded.error();
+  document.scene = std::make_shared<scene::Scene>(
+      scene::preview_scene(*loaded->scene, loaded->scene->materials[0], scene::PreviewLight::studio));
+  document.camera = scene::preview_camera();
+  document.width = document.height = kSide;
+  return rendered_image(std::move(document));
+}
+
 Result<ThumbnailImage> make_thumbnail(const std::string& file) {
   std::error_code code;
   const bool is_builtin = scene::find_builtin(file) != nullptr;
   if (!is_builtin && std::filesystem::file_size(file, code) > kLargestFile) return input_error(file + ": is too large");
   const std::string extension = lower_extension(file);
+  if (extension == render::kMaterialExtension) return material_image(file);
   const bool is_session = extension == render::kSessionExtension;
   if (!is_builtin && !is_session && extension != ".gltf" && extension != ".glb") return reduced_image(file);
   auto document = is_session ? render::read_session_file(file) : render::new_document(file);

@@ -13,6 +13,7 @@
 #include "scene/rotation.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/tools/gizmo_view.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/widgets/scale_bar.h"
@@ -302,32 +303,55 @@ std::optional<Gizmo::Change> Gizmo::change_at(const AppState& state, Vec2 positi
   return mode == GizmoMode::scale ? scaling(state, position) : movement(state, position);
 }
 
-void Gizmo::apply(AppState& state, const Change& change) {
-  const auto index = static_cast<size_t>(drag_->node);
-  const Frame& frame = drag_->frame;
-  scene::Transform transform = drag_->scene->nodes[index].transform;
+std::vector<Gizmo::Moved> Gizmo::movable_nodes(const AppState& state) const {
+  const scene::Scene& scene = *state.document().scene;
+  const std::vector<Mat4>& world = state.viewport.node_places.of(state.document().scene).world;
+  std::vector<Moved> list;
+  for (const int index : selected_roots(state)) {
+    const scene::Node& node = scene.nodes[static_cast<size_t>(index)];
+    if (node.skin >= 0 || is_animated_node(scene, index)) continue;
+    Moved moved{.node = index, .to_world = world[static_cast<size_t>(index)]};
+    if (node.parent >= 0) moved.parent = world[static_cast<size_t>(node.parent)];
+    if (!scene::is_singular(moved.to_world) && !scene::is_singular(moved.parent)) list.push_back(moved);
+  }
+  return list;
+}
+
+std::optional<scene::Transform> Gizmo::changed_transform(const Moved& moved, const Change& change) const {
+  scene::Transform transform = drag_->scene->nodes[static_cast<size_t>(moved.node)].transform;
   if (mode == GizmoMode::move) {
     // A matrix stays a matrix, so that the other values keep their bits.
-    const Vec3 delta = glm::inverse(Mat3(frame.parent)) * change.translation;
+    const Vec3 delta = glm::inverse(Mat3(moved.parent)) * change.translation;
     if (transform.matrix)
       (*transform.matrix)[3] += Vec4(delta, 0);
     else
       transform.translation += delta;
-  } else {
-    const auto parts = scene::decompose({.matrix = glm::inverse(frame.parent) * change.matrix * frame.to_world});
-    // Below a parent with a non-uniform scale, a rotation would shear the object.
-    if (!parts) return;
-    const bool mirrored = glm::determinant(Mat3(drag_->scene->nodes[index].transform.to_matrix())) < 0;
-    if (mirrored && mode == GizmoMode::scale) return;
-    transform = *parts;
+    return transform;
   }
+  const bool mirrored = glm::determinant(Mat3(transform.to_matrix())) < 0;
+  if (mirrored && mode == GizmoMode::scale) return std::nullopt;
+  // Below a parent with a non-uniform scale, a rotation would shear the object.
+  return scene::decompose({.matrix = glm::inverse(moved.parent) * change.matrix * moved.to_world});
+}
+
+void Gizmo::apply(AppState& state, const Change& change) {
   render::Document changed = state.document();
   auto scene = std::make_shared<scene::Scene>(*changed.scene);
-  scene->nodes[index].transform = transform;
+  size_t count = 0;
+  for (const Moved& moved : drag_->moved)
+    if (const auto transform = changed_transform(moved, change)) {
+      scene->nodes[static_cast<size_t>(moved.node)].transform = *transform;
+      ++count;
+    }
+  if (count == 0) return;
   changed.scene = std::move(scene);
   const char* name = mode == GizmoMode::move ? "Move " : mode == GizmoMode::rotate ? "Rotate " : "Scale ";
-  const std::string& object = drag_->scene->nodes[index].name;
-  state.edit(std::move(changed), name + (object.empty() ? "node " + std::to_string(index) : object), kGizmoGesture);
+  const int node = drag_->moved.front().node;
+  const std::string& object = drag_->scene->nodes[static_cast<size_t>(node)].name;
+  const std::string label = count > 1        ? std::to_string(count) + " objects"
+                            : object.empty() ? "node " + std::to_string(node)
+                                             : object;
+  state.edit(std::move(changed), name + label, kGizmoGesture);
   readout_ = change.text;
 }
 
@@ -368,7 +392,7 @@ bool Gizmo::handle_input(AppState& state, bool hovered) {
   hovered_ = handle_at(state, *frame, input.mouse);
   if (!hovered_ || !input.pressed[0]) return false;
   state.editor->end_gesture();
-  drag_ = Drag{*hovered_, *frame, input.mouse, state.selection.node, state.document().scene};
+  drag_ = Drag{*hovered_, *frame, input.mouse, state.selection.node, movable_nodes(state), state.document().scene};
   last_position_ = input.mouse;
   readout_.clear();
   return true;

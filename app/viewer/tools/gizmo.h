@@ -1,6 +1,7 @@
-// Handles in the viewport that move, rotate and scale the selected object.
+// Handles in the viewport that move, rotate and scale the selected objects.
 //
-// The handles are at the centre of the bounds of the object's mesh, and the object rotates and scales about that point.
+// The handles are at the centre of the bounds of the active object's mesh; all selected objects move with it, and rotate
+// and scale about that point.
 // All movements are computed from the transform at the start of the drag, so rounding errors do not accumulate. A drag is
 // one step of undo.
 #pragma once
@@ -11,7 +12,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "scene/forward.h"
+#include "scene/scene.h"
 #include "viewer/tools/mesh_centre.h"
 
 struct ImDrawList;
@@ -51,11 +52,18 @@ class Gizmo {
     Mat4 to_world{1};  // of the node
     Mat4 parent{1};    // from the parent's space to the world
   };
+  // A node that the drag changes, at the start of the drag.
+  struct Moved {
+    int node = -1;
+    Mat4 to_world{1};
+    Mat4 parent{1};  // from the parent's space to the world
+  };
   struct Drag {
     GizmoHandle handle;
     Frame frame;
     Vec2 start{0};  // position of the pointer
     int node = -1;
+    std::vector<Moved> moved;
     std::shared_ptr<const scene::Scene> scene;  // at the start of the drag
   };
   // A change of the object in world space, and its description.
@@ -72,6 +80,10 @@ class Gizmo {
   std::optional<Change> movement(const AppState& state, Vec2 position) const;
   std::optional<Change> rotation(const AppState& state, Vec2 position) const;
   std::optional<Change> scaling(const AppState& state, Vec2 position) const;
+  // The selected nodes that can be moved.
+  std::vector<Moved> movable_nodes(const AppState& state) const;
+  // The transform of a node after the change; nothing if the mode cannot produce it.
+  std::optional<scene::Transform> changed_transform(const Moved& moved, const Change& change) const;
   void apply(AppState& state, const Change& change);
   void continue_drag(AppState& state);
   // Names a point of each axis or ring for scripts.

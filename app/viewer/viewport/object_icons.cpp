@@ -9,6 +9,7 @@
 #include "render/document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/widgets/object_shapes.h"
 
 namespace etendue::viewer {
@@ -52,25 +53,29 @@ void draw_object_icons(AppState& state, ImDrawList& draw) {
     const bool visible = state.document().scene->nodes[static_cast<size_t>(icon.node)].visible;
     const ImU32 color = visible ? (icon.is_light ? kIconColor : kCameraColor) : IM_COL32(150, 150, 150, 255);
     draw.AddCircleFilled({icon.position.x, icon.position.y}, r * 1.15f, kIconBackground);
-    if (state.selection.node == icon.node)
+    if (is_selected(state, icon.node))
       draw.AddCircle({icon.position.x, icon.position.y}, r * 1.3f, IM_COL32(120, 190, 240, 255), 0, 2);
     draw_object_shape(draw, icon.is_light ? ObjectKind::light : ObjectKind::camera, icon.position, r, color);
   }
 }
 
-bool select_icon_at(AppState& state, Vec2 position) {
-  if (!state.interface.visible || !state.viewport.show_icons) return false;
+int icon_at(const AppState& state, Vec2 position) {
+  if (!state.interface.visible || !state.viewport.show_icons) return -1;
   const float r = kIconRadius * state.ui.scale;
-  for (const ObjectIcon& icon : icons_of(state)) {
-    if (glm::length(icon.position - position) > r) continue;
-    state.select(icon.node, -1);
-    const Panel* open = state.panels.open_tab();
-    const bool shows_scene = open && std::string_view(open->info().name) == "tab.scene";
-    if (Panel* panel = state.panels.find("tab.light"); panel && icon.is_light && !shows_scene)
-      state.panels.open(*panel);
-    return true;
-  }
-  return false;
+  for (const ObjectIcon& icon : icons_of(state))
+    if (glm::length(icon.position - position) <= r) return icon.node;
+  return -1;
+}
+
+bool select_icon_at(AppState& state, Vec2 position) {
+  const int node = icon_at(state, position);
+  if (node < 0) return false;
+  state.select(node, -1);
+  const Panel* open = state.panels.open_tab();
+  const bool shows_scene = open && std::string_view(open->info().name) == "tab.scene";
+  const bool is_light = state.document().scene->nodes[static_cast<size_t>(node)].light >= 0;
+  if (Panel* panel = state.panels.find("tab.light"); panel && is_light && !shows_scene) state.panels.open(*panel);
+  return true;
 }
 
 }  // namespace etendue::viewer

@@ -12,5 +12,7 @@ struct AppState;
 void draw_object_icons(AppState& state, ImDrawList& draw);
 // Selects the object whose icon is at this position. Returns false if there is none.
 bool select_icon_at(AppState& state, Vec2 position);
+// The node of the icon at a position; -1 if there is none.
+int icon_at(const AppState& state, Vec2 position);
 
 }  // namespace etendue::viewer

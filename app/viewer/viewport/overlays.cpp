@@ -11,6 +11,7 @@
 #include "spectrum/colormap.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/state/document_info.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
@@ -52,12 +53,12 @@ void draw_outline(const Placement& image, Vec2 scale, const std::vector<OutlineS
   draw_lines(kOutlineColor, 0.75f);
 }
 
-// The bounding box of the selected node, while its outline is computed.
-void draw_bounding_box(const AppState& state, ImDrawList* draw) {
+// The bounding box of a selected node, while the outline is computed.
+void draw_bounding_box(const AppState& state, int node, ImDrawList* draw) {
   const auto scene = state.session->scene();
   const Placement& image = state.viewport.image;
-  if (state.selection.node < 0 || !scene || image.size.x < 2) return;
-  const Bounds bounds = bounds_of_node(*scene, state.selection.node);
+  if (!scene || image.size.x < 2) return;
+  const Bounds bounds = bounds_of_node(*scene, node);
   if (bounds.empty()) return;
   const Camera& camera = state.document().camera;
   const auto corner = [&](int i) {
@@ -82,7 +83,10 @@ void draw_selection(const AppState& state, ImDrawList* draw) {
   const Placement& image = state.viewport.image;
   const auto* segments = state.viewport.selection_outline->segments();
   const bool is_visible = segments && !segments->empty();
-  if (!is_visible) return draw_bounding_box(state, draw);
+  if (!is_visible) {
+    for (const int node : selected_nodes(state)) draw_bounding_box(state, node, draw);
+    return;
+  }
   draw_outline(image, image.size / Vec2(state.document().width, state.document().height), *segments, draw);
 }
 

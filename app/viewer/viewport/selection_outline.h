@@ -1,4 +1,4 @@
-// The outline of the selected object: where its visible surface borders on something else. Computed in the background
+// The outlines of the selected objects: where the visible surface of one borders on something else. Computed in the background
 // when the camera has come to rest.
 #pragma once
 #include <chrono>
@@ -28,8 +28,8 @@ class SelectionOutline {
   SelectionOutline(render::Session& session, const Editor& editor, std::function<void()> wake)
       : session_(session), editor_(editor), wake_(std::move(wake)) {}
 
-  // Called once per frame with the selected node, or -1.
-  void update(int node);
+  // Called once per frame with the selected nodes.
+  void update(std::vector<int> nodes);
   // The outline for the current document; null while it is unknown.
   const std::vector<OutlineSegment>* segments() const;
 
@@ -37,14 +37,14 @@ class SelectionOutline {
   using Clock = std::chrono::steady_clock;
   struct Outline {
     uint64_t version = 0;  // of the document
-    int node = -1;
+    std::vector<int> nodes;
     std::vector<OutlineSegment> segments;
   };
 
   render::Session& session_;
   const Editor& editor_;
   std::function<void()> wake_;
-  int node_ = -1;                    // that is selected
+  std::vector<int> nodes_;           // that are selected
   uint64_t version_ = 0;             // of the document in the last frame
   Clock::time_point last_change_{};  // of that version
   std::shared_ptr<const Outline> outline_;

@@ -12,6 +12,7 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/viewport/first_view.h"
 #include "viewer/viewport/lit_view.h"
 #include "viewer/viewport/object_icons.h"
@@ -91,6 +92,7 @@ void ViewportController::begin_drag(AppState& state) {
   if (pressed(Button::right)) drag_ = Drag::fly;
   if (drag_ == Drag::orbit && state.viewport.focus.is_selecting()) drag_ = Drag::region;
   if (drag_ == Drag::none) return;
+  pressed_left_ = pressed(Button::left);
   state.editor->end_gesture();
   drag_start_ = input.mouse;
   last_position_ = input.mouse;
@@ -128,7 +130,8 @@ void ViewportController::end_drag(AppState& state) {
   const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
   if (held) return;
   if (drag_ == Drag::region) state.viewport.focus.end_drag();
-  if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
+  const bool is_left = drag_ == Drag::orbit || (drag_ == Drag::pan && pressed_left_);
+  if (is_left && !moved_) click(state, drag_start_);
   if (drag_ == Drag::fly && !moved_) state.interface.menu_position = drag_start_;
   if (drag_ == Drag::fly && moved_) {
     // After a flight, the camera orbits the point at the image centre. The speed stays.
@@ -142,6 +145,7 @@ void ViewportController::end_drag(AppState& state) {
 }
 
 void ViewportController::click(AppState& state, Vec2 position) {
+  if (state.ui.input.shift() || state.ui.input.control()) return extend_selection_at(state, position);
   if (use_tool(state, position) || use_panel(state, position) || select_icon_at(state, position)) return;
   const bool is_double = seconds_since(click_time_) < static_cast<double>(ImGui::GetIO().MouseDoubleClickTime) &&
                          glm::length(position - click_position_) <= kClickTolerance;
@@ -195,10 +199,16 @@ void select_at(AppState& state, Vec2 position) {
   const auto picked = pick_at(state, position);
   if (!picked) {
     state.selection.node = -1;
+    state.selection.others.clear();
     return;
   }
   state.select(picked->node, picked->material);
   if (state.selection.node >= 0) show_panel_of_selection(state);
+}
+
+void extend_selection_at(AppState& state, Vec2 position) {
+  if (const int icon = icon_at(state, position); icon >= 0) return toggle_selected(state, icon, -1);
+  if (const auto picked = pick_at(state, position)) toggle_selected(state, picked->node, picked->material);
 }
 
 void frame_scene(AppState& state) {
@@ -225,7 +235,8 @@ void reset_view(AppState& state) {
 void frame_selection(AppState& state) {
   const auto scene = state.session->scene();
   if (!state.has_document() || !scene) return;
-  const Bounds bounds = bounds_of_node(*scene, state.selection.node);
+  Bounds bounds;
+  for (const int node : selected_nodes(state)) bounds.extend(bounds_of_node(*scene, node));
   if (bounds.empty()) return frame_scene(state);
   const auto& d = state.document();
   const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);

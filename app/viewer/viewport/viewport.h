@@ -29,6 +29,7 @@ class ViewportController {
   Drag drag_ = Drag::none;
   Vec2 drag_start_{0};
   Vec2 last_position_{0};
+  bool pressed_left_ = false;  // the button that began the drag
   bool moved_ = false;  // since the start of the drag; otherwise it is a click
   Vec2 click_position_{-1e6f};
   Clock::time_point click_time_{};
@@ -41,6 +42,8 @@ class ViewportController {
 bool focus_at(AppState& state, Vec2 position);
 // Selects the node and the material at a position of the window; clears the selected node if there is no surface.
 void select_at(AppState& state, Vec2 position);
+// Adds the object at a position to the selection, or removes it.
+void extend_selection_at(AppState& state, Vec2 position);
 
 // Moves the camera so that it shows the whole scene, or the selected node. If walls hide the light in the direction of
 // view, the scene is shown from another side or from inside.

@@ -1,0 +1,220 @@
+#include "viewer/state/material_edits.h"
+
+#include <algorithm>
+
+#include "base/user_folders.h"
+#include "material/texture_slots.h"
+#include "render/material_settings.h"
+#include "scene/structural_edit.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+
+namespace etendue::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMaterial = "material";
+
+size_t selected_material(const AppState& state) { return static_cast<size_t>(state.selection.material); }
+
+std::string material_name(const AppState& state, size_t index) {
+  return object_name(state.document().scene->materials[index].name, kMaterial, index);
+}
+
+// "glass", "glass 2", ...: the first name that no material has.
+std::string free_material_name(const scene::Scene& scene, const std::string& base) {
+  for (size_t i = 1;; ++i) {
+    const std::string name = i == 1 ? base : base + " " + std::to_string(i);
+    if (std::ranges::find(scene.materials, name, &Material::name) == scene.materials.end()) return name;
+  }
+}
+
+// Makes the result a step of undo; an error becomes a message. Returns whether there was none.
+bool apply_result(AppState& state, Result<render::Document> changed, const std::string& step) {
+  if (!changed) {
+    state.notices.add_error(changed.error().message);
+    return false;
+  }
+  state.edit(std::move(*changed), step);
+  return true;
+}
+
+bool apply_edit_of_materials(AppState& state, const scene::StructuralEdit& edit, const std::string& step) {
+  return apply_result(state, render::with_structural_edit(state.document(), edit), step);
+}
+
+void select_last_material(AppState& state) {
+  state.selection.material = static_cast<int>(state.document().scene->materials.size()) - 1;
+}
+
+std::string texture_parameter(const AppState& state, const TextureSlot& slot) {
+  return "material." + std::to_string(state.selection.material) + ".texture." + slot.name;
+}
+
+// The texture of the document that is equal; -1 if there is none.
+int64_t index_of_texture(const scene::Scene& scene, const Texture& texture) {
+  const auto found = std::ranges::find(scene.textures, texture);
+  return found == scene.textures.end() ? -1 : found - scene.textures.begin();
+}
+
+const scene::Node* node_with_surface(const AppState& state) {
+  if (!state.has_document() || state.selection.node < 0) return nullptr;
+  const scene::Node& node = state.document().scene->nodes[static_cast<size_t>(state.selection.node)];
+  return node.mesh >= 0 ? &node : nullptr;
+}
+
+// A name without characters that separate folders.
+std::string file_stem_of(std::string name) {
+  for (char& c : name)
+    if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 32) c = '-';
+  return name.starts_with('.') ? "-" + name : name;
+}
+
+}  // namespace
+
+bool has_selected_material(const AppState& state) {
+  return state.has_document() && scene::has_material(*state.document().scene, state.selection.material);
+}
+
+void add_material(AppState& state) {
+  if (!state.has_document()) return;
+  const std::string name = free_material_name(*state.document().scene, kMaterial);
+  if (apply_edit_of_materials(state, {.kind = scene::EditKind::add_material, .name = name}, "Add " + name))
+    select_last_material(state);
+}
+
+void duplicate_material(AppState& state) {
+  if (!has_selected_material(state)) return;
+  const std::string old = material_name(state, selected_material(state));
+  const std::string name = free_material_name(*state.document().scene, old);
+  if (apply_edit_of_materials(
+          state, {.kind = scene::EditKind::add_material, .name = name, .material = state.selection.material},
+          "Duplicate " + old))
+    select_last_material(state);
+}
+
+void delete_material(AppState& state) {
+  if (!has_selected_material(state)) return;
+  const std::string name = material_name(state, selected_material(state));
+  if (apply_edit_of_materials(
+          state, {.kind = scene::EditKind::remove_material, .material = state.selection.material}, "Delete " + name))
+    state.selection.material = -1;
+}
+
+void rename_material(AppState& state, const std::string& name) {
+  if (!has_selected_material(state)) return;
+  const std::string old = material_name(state, selected_material(state));
+  apply_edit_of_materials(
+      state, {.kind = scene::EditKind::rename_material, .name = name, .material = state.selection.material},
+      "Rename " + old);
+}
+
+void copy_material(AppState& state) {
+  if (!has_selected_material(state)) return;
+  state.material_clipboard = {state.document().scene, selected_material(state)};
+  state.notices.add_message("Copied " + material_name(state, selected_material(state)));
+}
+
+void paste_material(AppState& state) {
+  const MaterialClipboard& copied = state.material_clipboard;
+  if (!has_selected_material(state) || !copied.scene) return;
+  Material material = copied.scene->materials[copied.material];
+  const scene::Scene& scene = *state.document().scene;
+  for (const TextureSlot& slot : texture_slots()) {
+    TextureUse& use = material.*slot.use;
+    if (use.texture < 0) continue;
+    use.texture =
+        static_cast<int>(index_of_texture(scene, copied.scene->textures[static_cast<size_t>(use.texture)]));
+    if (use.texture < 0) state.notices.add_message(std::string("The scene does not have the texture ") + slot.label);
+  }
+  apply_result(state,
+               render::with_material_settings(state.document(), selected_material(state),
+                                              render::material_settings(material, scene.textures)),
+               "Paste parameters of " + object_name(material.name, kMaterial, copied.material));
+}
+
+bool can_assign_material(const AppState& state) { return has_selected_material(state) && node_with_surface(state); }
+
+void assign_material(AppState& state) {
+  if (!can_assign_material(state)) return;
+  const scene::Node& node = *node_with_surface(state);
+  const auto& primitives = state.document().scene->meshes[static_cast<size_t>(node.mesh)].primitives;
+  const auto is_clicked = [&](const scene::Primitive& p) { return p.material == state.selection.part; };
+  const bool assigns_all = std::ranges::none_of(primitives, is_clicked);
+  const std::string step = "Assign " + material_name(state, selected_material(state));
+  Result<render::Document> changed = state.document();
+  for (size_t i = 0; changed && i < primitives.size(); ++i)
+    if (assigns_all || is_clicked(primitives[i]))
+      changed = render::with_structural_edit(*changed, {.kind = scene::EditKind::assign_material,
+                                                        .node = state.selection.node,
+                                                        .material = state.selection.material,
+                                                        .primitive = static_cast<int>(i)});
+  if (apply_result(state, std::move(changed), step)) state.selection.part = state.selection.material;
+}
+
+void set_model_preset(AppState& state, const std::string& model, const std::string& preset) {
+  if (!has_selected_material(state)) return;
+  const std::string section = "material." + std::to_string(state.selection.material) + ".";
+  auto changed = render::with(state.document(), section + "model", Value(model));
+  if (changed) changed = render::with(*changed, section + model + ".preset", Value(preset));
+  apply_result(state, std::move(changed), "Preset of " + material_name(state, selected_material(state)));
+}
+
+void load_texture(AppState& state, const TextureSlot& slot, const std::string& file) {
+  if (!has_selected_material(state)) return;
+  const auto index = static_cast<int64_t>(state.document().scene->textures.size());
+  auto changed =
+      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_texture, .file = file});
+  if (changed) changed = render::with(*changed, texture_parameter(state, slot), Value(index));
+  apply_result(state, std::move(changed), std::string("Texture ") + slot.label);
+}
+
+void remove_texture(AppState& state, const TextureSlot& slot) {
+  if (!has_selected_material(state)) return;
+  apply_result(state, render::with(state.document(), texture_parameter(state, slot), Value(int64_t{-1})),
+               std::string("Remove texture ") + slot.label);
+}
+
+fs::path material_folder(const AppState& state) {
+  if (!state.settings.material_folder.empty()) return state.settings.material_folder;
+  return default_material_folder();
+}
+
+std::string save_to_library(AppState& state) {
+  const fs::path folder = material_folder(state);
+  if (!has_selected_material(state) || folder.empty()) return "";
+  std::error_code code;
+  fs::create_directories(folder, code);
+  const std::string stem = file_stem_of(material_name(state, selected_material(state)));
+  fs::path file = folder / (stem + render::kMaterialExtension);
+  for (int i = 2; fs::exists(file, code); ++i)
+    file = folder / (stem + " " + std::to_string(i) + render::kMaterialExtension);
+  const auto written =
+      render::write_material_file(file.string(), *state.document().scene, selected_material(state));
+  if (!written) {
+    state.notices.add_error(written.error().message);
+    return "";
+  }
+  state.notices.add_message("Saved " + file.string());
+  return file.string();
+}
+
+void apply_material_file(AppState& state, const std::string& file) {
+  if (!has_selected_material(state)) return;
+  apply_result(state, render::with_material_file(state.document(), selected_material(state), file),
+               "Load " + fs::path(file).stem().string());
+}
+
+void add_material_from_file(AppState& state, const std::string& file) {
+  if (!state.has_document()) return;
+  const scene::Scene& scene = *state.document().scene;
+  const std::string name = free_material_name(scene, fs::path(file).stem().string());
+  auto changed =
+      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_material, .name = name});
+  if (changed) changed = render::with_material_file(*changed, scene.materials.size(), file);
+  if (apply_result(state, std::move(changed), "Add " + name)) select_last_material(state);
+}
+
+}  // namespace etendue::viewer
