@@ -171,6 +171,17 @@ void add_display_actions(ActionList& actions) {
        .section = "overlays"});
 }
 
+void add_safe_frames(ActionList& actions) {
+  actions.add({.name = "view.safe-frames",
+               .menu = "View",
+               .label = "Safe frames",
+               .tooltip = "Draws the action-safe area (93 % of the image), the title-safe area (90 %) and the centre",
+               .run = [](AppState& state) { state.viewport.show_safe_frames = !state.viewport.show_safe_frames; },
+               .enabled = has_document,
+               .checked = [](const AppState& state) { return state.viewport.show_safe_frames; },
+               .section = "overlays"});
+}
+
 void add_animation_actions(ActionList& actions) {
   actions.add({.name = "animation.play",
                .menu = "View",
@@ -240,6 +251,7 @@ void add_interface_actions(ActionList& actions) {
 void add_view_actions(ActionList& actions) {
   add_framing_actions(actions);
   add_display_actions(actions);
+  add_safe_frames(actions);
   add_animation_actions(actions);
   add_interface_actions(actions);
 }

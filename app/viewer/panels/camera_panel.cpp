@@ -139,6 +139,8 @@ class CameraPanel final : public Panel {
     ImGui::SameLine();
     action_button(state, "view.frame-selection");
     action_button(state, "view.reset-camera");
+    ImGui::SameLine();
+    action_button(state, "add.camera");
     if (group(ui, "Projection", "camera.")) projection_widgets(state);
     if (group(ui, "Lens", "camera.")) {
       section_widgets_for(state, "camera", {"lens-radius", "focus-distance", "shutter"});

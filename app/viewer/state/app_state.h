@@ -84,6 +84,7 @@ struct ViewportState {
   bool false_color = false;
   bool show_reliability = false;
   bool show_stored_points = false;
+  bool show_safe_frames = false;
   std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
   std::unique_ptr<AovLayer> aov;
   std::unique_ptr<Comparison> comparison;

@@ -12,7 +12,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr double kInterval = 0.5;            // seconds between two requests
+constexpr double kStatusInterval = 0.5;      // seconds between two requests
 constexpr size_t kMostPatches = 20'000;      // more would be too small to distinguish and slow to draw
 constexpr float kRelativeTolerance = 1e-3f;  // of the distance, for hits in front of a patch
 
@@ -75,7 +75,7 @@ void RadiosityTask::update(const TaskContext& context, bool requested) {
   if (status.version != context.editor.version()) return;
   const bool is_final = result_ && (!result_->solution || result_->solution->is_complete);
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  if (is_final || elapsed < kInterval) return;
+  if (is_final || elapsed < kStatusInterval) return;
   start_ = Clock::now();
   const auto work = [&session = context.session, document = context.editor.document(), version = status.version] {
     return find_visible_patches(session, document, version);

@@ -22,6 +22,7 @@
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/pixel_readout.h"
 #include "viewer/viewport/reliability_overlay.h"
+#include "viewer/viewport/safe_frames.h"
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 #include "viewer/widgets/action_widgets.h"
@@ -198,6 +199,7 @@ void draw_viewport_overlays(AppState& state) {
     if (const auto reliability = state.session->status().reliability)
       draw_reliability_overlay(state, *reliability, draw);
   if (viewport.show_stored_points) draw_stored_points(state, draw);
+  if (viewport.show_safe_frames) draw_safe_frames(state, *draw);
   const Comparison& comparison = *viewport.comparison;
   const bool shows_map = comparison.map() && !comparison.reference_is_shown();
   if (viewport.false_color && viewport.aov_name.empty() && !shows_map) draw_false_color_scale(state, draw);
