@@ -123,6 +123,22 @@ class MaterialParameterList {
                });
   }
 
+  void add_attenuation_distance() {
+    list_.push_back(make_parameter(
+        section_,
+        Number<float>{"attenuation-distance",
+                      "Attenuation distance",
+                      std::min(material_.attenuation_distance, kLargestLength),
+                      {1e-6f, kLargestLength},
+                      "Distance at which white light has the attenuation colour. The largest value stands for no attenuation",
+                      "m",
+                      Scale::logarithmic},
+        [index = index_](Document& d, float v) {
+          const float distance = v >= kLargestLength ? kInfinity : v;
+          edit_scene(d, [&](scene::Scene& s) { s.materials[index].attenuation_distance = distance; });
+        }));
+  }
+
   // The two textures of this model are the same image.
   void add_specular_glossiness() {
     list_.push_back(make_parameter(
@@ -217,9 +233,7 @@ void add_transmission(MaterialParameterList& parameters) {
   parameters.add_color({"attenuation-color.r", "attenuation-color.g", "attenuation-color.b"}, "Attenuation colour",
                        &Material::attenuation_color, 1,
                        "Colour of white light after the attenuation distance inside the volume");
-  parameters.add_number("attenuation-distance", "Attenuation distance", &Material::attenuation_distance,
-                        {1e-6f, kLargestLength}, "Distance at which white light has the attenuation colour", "m",
-                        Scale::logarithmic);
+  parameters.add_attenuation_distance();
 }
 
 // The medium inside a solid.

@@ -107,6 +107,19 @@ TEST_F(MaterialEdits, SettingsOfAMaterialAreRestored) {
   EXPECT_EQ(reopened(d).scene->materials[0].glass, d.scene->materials[0].glass);
 }
 
+// The default distance is infinite, which the end of the range of the parameter stands for.
+TEST_F(MaterialEdits, InfiniteAttenuationDistanceIsRestored) {
+  const Document d = cornell();
+  const auto distance = [](const Document& document) { return document.scene->materials[0].attenuation_distance; };
+  ASSERT_EQ(distance(d), kInfinity);
+  const Document finite = with(d, "material.0.attenuation-distance", "2");
+  EXPECT_EQ(distance(finite), 2);
+  const auto settings = render::material_settings(d.scene->materials[0], d.scene->textures);
+  const auto pasted = render::with_material_settings(finite, 0, settings);
+  ASSERT_TRUE(pasted) << pasted.error().message;
+  EXPECT_EQ(distance(*pasted), kInfinity);
+}
+
 TEST_F(MaterialEdits, EveryPresetIsRestored) {
   for (const BsdfModelInfo& model : bsdf_model_infos())
     for (const ModelPreset& preset : model.presets) {
