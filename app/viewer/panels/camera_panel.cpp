@@ -147,7 +147,7 @@ class CameraPanel final : public Panel {
       focus_checkbox(state);
     }
     const bool perspective = state.document().camera.projection == Projection::perspective;
-    if (perspective && group(ui, "Photographic lens", "lens.")) draw_photographic_lens(state);
+    if (perspective && group(ui, "Photographic lens", "lens.", false)) draw_photographic_lens(state);
     if (group(ui, "Position", "camera.eye.")) section_widgets_for(state, "camera", {"eye.x", "eye.y", "eye.z"});
     const bool axis_requested = ui.items.is_requested_below("camera.right") ||
                                 ui.items.is_requested_below("camera.up") || ui.items.is_requested_below("camera.back");

@@ -179,6 +179,7 @@ bool AppState::is_active_tool(std::string_view name) const {
 }
 
 void AppState::toggle_tool(ClickTool tool) {
+  viewport.focus.cancel_selection();
   if (is_active_tool(tool.name))
     viewport.click_tool.reset();
   else

@@ -16,6 +16,7 @@ class FocusRegion {
   // Whether the next drag in the image selects the region.
   bool is_selecting() const { return is_selecting_; }
   void begin_selection() { is_selecting_ = true; }
+  void cancel_selection() { is_selecting_ = false; }
   // Positions of a drag in the window. The region is the part of the image between them; a drag that is not larger than
   // a click selects nothing.
   void drag(const AppState& state, Vec2 from, Vec2 to);

@@ -34,7 +34,7 @@ std::string lower_case(std::string text) {
 std::string xdotool_keys(std::string label) {
   const std::pair<const char*, const char*> names[] = {
       {"Ctrl+", "ctrl+"}, {"Shift+", "shift+"}, {"Alt+", "alt+"},      {"Space", "space"}, {"Enter", "Return"},
-      {"Esc", "Escape"},  {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},     {"-", "minus"},
+      {"Esc", "Escape"},  {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},     {".", "period"}, {"-", "minus"},
       {"=", "equal"},     {"[", "bracketleft"}, {"]", "bracketright"}, {"?", "question"}};
   for (const auto& [from, to] : names)
     if (const size_t at = label.find(from); at != std::string::npos) label.replace(at, std::string(from).size(), to);
@@ -48,9 +48,11 @@ const std::set<std::string> kLeftOut{
     "app.quit",        // window.Window.QuittingAsksAboutUnsavedEdits
     "file.cancel",     // enabled only while a file is opened; no test chooses it
     "animation.play",  // viewer.FirstView.AnimationsPlayWithoutEditingTheScene
+    "view.clear-region",  // viewer.Viewer.RegionReceivesTheSamplesUntilItIsCleared
+    "animation.previous-frame", "animation.next-frame",  // viewer.Viewer.TimelineStepsByFramesAndChoosesClips
 };
 
-// What makes an action enabled in the Cornell box: other actions; "image", a click on a surface;
+// What makes an action enabled in the Cornell box: other actions; "image", a click on a surface; "shift+image", another one;
 // "parameter=value", a value that is typed.
 const std::map<std::string, std::vector<std::string>> kPreparations{
     {"edit.undo", {"display.brighter"}},
@@ -60,6 +62,14 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"object.delete", {"add.box"}},
     {"object.hide", {"add.box"}},
     {"light.solo", {"add.light.point"}},
+    {"object.parent", {"add.box", "shift+image"}},
+    {"object.unparent", {"add.box"}},
+    {"material.duplicate", {"material.add"}},
+    {"material.delete", {"material.add"}},
+    {"material.copy", {"material.add"}},
+    {"material.paste", {"material.add", "material.copy"}},
+    {"material.assign", {"add.box", "material.add"}},
+    {"material.save", {"material.add"}},
     {"render.previous", {"integrator.bdpt", "integrator.path"}},
     {"integrator.choose-again", {"integrator.auto"}},
     {"advice.stop", {"advice.ask"}},
@@ -124,9 +134,9 @@ class Actions : public Window {
   }
 
   // Beside the middle, where the divider of a comparison is.
-  void click_image() {
+  void click_image(double x = 0.3) {
     const json image = user_->report()["image"];
-    user_->click_at(static_cast<int>(image[0].get<double>() + 0.3 * image[2].get<double>()),
+    user_->click_at(static_cast<int>(image[0].get<double>() + x * image[2].get<double>()),
                     static_cast<int>(image[1].get<double>() + 0.5 * image[3].get<double>()));
   }
 
@@ -144,6 +154,8 @@ class Actions : public Window {
     for (const std::string& step : found->second) {
       if (step == "image")
         click_image();
+      else if (step == "shift+image")
+        user_->hold("shift", [&] { click_image(0.05); });
       else if (const size_t equals = step.find('='); equals != std::string::npos)
         enter(step.substr(0, equals), step.substr(equals + 1));
       else if (!is_open_panel(step))

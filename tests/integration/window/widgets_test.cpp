@@ -56,6 +56,7 @@ TEST_F(Widgets, ComboEntryIsChosen) {
 }
 
 TEST_F(Widgets, VectorField) {
+  user_->resize(1280, 1000);
   user_->click("tab.camera");
   const std::string field = "camera.eye.y";
   const json original = parameter(field), other = parameter("camera.eye.x");
@@ -86,6 +87,7 @@ TEST_F(Widgets, HexValueIsTyped) {
 // The swatch is at the right end of the field; its picker opens below, as far to the left as the window requires.
 TEST_F(Widgets, SwatchOpensAPicker) {
   const std::string color = select_box() + ".base-color";
+  user_->resize(1280, 1400);
   const json before = user_->report()["parameters"];
   const int depth = undo_depth();
   user_->click_in(color, 0.97, 0.5);

@@ -86,6 +86,7 @@ WindowUser::WindowUser(const std::string& viewer, const fs::path& folder, const 
   viewer_ = fork();
   if (viewer_ == 0) {
     setenv("DISPLAY", display_.c_str(), 1);
+    setenv("XDG_DATA_HOME", (folder / "data").c_str(), 1);  // the library of materials
     if (chdir(folder.c_str()) != 0) _exit(126);
     execl(viewer.c_str(), viewer.c_str(), "view", scene.c_str(), "--script", script.c_str(), "--settings",
           (folder / "settings").c_str(), static_cast<char*>(nullptr));
