@@ -77,7 +77,7 @@ std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
           describe_choice("preferences.environment", "Default environment",
                           "Lights scenes without lights of their own, from the next scene on", environment_options(),
                           index_of_environment(settings.environment)),
-          describe(Toggle{"preferences.automatic", "Choose the integrator of opened scenes automatically",
+          describe(Toggle{"preferences.automatic", "Automatic integrator",
                           settings.automatic_integrator,
                           "Short pilot renderings choose the integrator a moment after a scene was opened; otherwise "
                           "path tracing. Sessions and snapshots keep their own"})};
