@@ -65,6 +65,14 @@ const scene::Node* node_with_surface(const AppState& state) {
   return node.mesh >= 0 ? &node : nullptr;
 }
 
+// Whether the selected object shows the texture coordinates of an image; without an object there is nothing to say.
+bool has_texture_coordinates(const AppState& state) {
+  const scene::Node* node = node_with_surface(state);
+  if (!node) return true;
+  const auto& primitives = state.document().scene->meshes[static_cast<size_t>(node->mesh)].primitives;
+  return std::ranges::none_of(primitives, [](const scene::Primitive& p) { return p.mesh && p.mesh->uvs[0].empty(); });
+}
+
 // A name without characters that separate folders.
 std::string file_stem_of(std::string name) {
   for (char& c : name)
@@ -168,7 +176,9 @@ void load_texture(AppState& state, const TextureSlot& slot, const std::string& f
   auto changed =
       render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_texture, .file = file});
   if (changed) changed = render::with(*changed, texture_parameter(state, slot), Value(index));
-  apply_result(state, std::move(changed), std::string("Texture ") + slot.label);
+  if (!apply_result(state, std::move(changed), std::string("Texture ") + slot.label)) return;
+  if (!has_texture_coordinates(state))
+    state.notices.add_message("The selected object has no texture coordinates, so it shows one texel of the texture.");
 }
 
 void remove_texture(AppState& state, const TextureSlot& slot) {

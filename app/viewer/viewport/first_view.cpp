@@ -57,13 +57,15 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
   auto exposure = render::automatic_exposure(luminances);
   if (!exposure) return;
   const Environment& environment = document.scene->environment;
-  if (environment.backdrop && !environment.visible) exposure = std::min(*exposure, kMaxExposureOfBackdrop);
+  const bool is_limited = environment.backdrop && !environment.visible && *exposure > kMaxExposureOfBackdrop;
+  if (is_limited) exposure = kMaxExposureOfBackdrop;
   if (*exposure == document.display.exposure) return;
   render::Document changed = document;
   changed.display.exposure = *exposure;
   state.editor->amend(std::move(changed));
-  state.notices.add_message(formatted("Exposure set to %+.1f EV, so that the surfaces are neither dark nor clipped.",
-                                      static_cast<double>(*exposure)));
+  const char* format = is_limited ? "Exposure set to %+.1f EV for dark surfaces. A higher one would make the backdrop white."
+                                  : "Exposure set to %+.1f EV, so that the surfaces are neither dark nor clipped.";
+  state.notices.add_message(formatted(format, static_cast<double>(*exposure)));
 }
 
 // Whether the camera of the file sees unlit surfaces only, and another one would see lit surfaces.

@@ -4,9 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <random>
 
-#include "light/light.h"
 #include "material/texture_slots.h"
 #include "render/document_parameters.h"
 #include "render/material_settings.h"
@@ -14,6 +12,7 @@
 #include "scene/gltf/save_gltf.h"
 #include "scene/pose.h"
 #include "scene/rotation.h"
+#include "support/random_editor.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -30,15 +29,10 @@ int number_of_edits() {
   return text ? std::max(1, std::atoi(text)) : 1000;
 }
 
-class RandomSceneEditor {
+class RandomSceneEditor : public test::RandomEditor {
  public:
   RandomSceneEditor(Document document, std::vector<std::string> pictures, uint32_t seed)
-      : document_(std::move(document)), pictures_(std::move(pictures)), random_(seed) {}
-
-  const Document& document() const { return document_; }
-  size_t undo_depth() const { return undo_.size(); }
-  // How many edits were possible.
-  size_t done() const { return done_; }
+      : RandomEditor(std::move(document), seed), pictures_(std::move(pictures)) {}
 
   void edit() {
     constexpr size_t kKinds = 16;
@@ -71,41 +65,15 @@ class RandomSceneEditor {
       case 13:
         return change_texture();
       case 14:
-        return change_parameter_of("material." + std::to_string(below(document_.scene->materials.size())));
+        return change_parameter_of("material." + std::to_string(below(document().scene->materials.size())));
       default:
-        return change_parameter_of("node." + std::to_string(below(document_.scene->nodes.size())));
+        return change_parameter_of("node." + std::to_string(below(document().scene->nodes.size())));
     }
   }
 
-  void undo() {
-    if (undo_.empty()) return;
-    redo_.push_back(std::exchange(document_, undo_.back()));
-    undo_.pop_back();
-  }
-  void redo() {
-    if (redo_.empty()) return;
-    undo_.push_back(std::exchange(document_, redo_.back()));
-    redo_.pop_back();
-  }
-
  private:
-  size_t below(size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random_); }
-  float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
-  int any_node() { return static_cast<int>(below(document_.scene->nodes.size())); }
-  int any_material() { return static_cast<int>(below(document_.scene->materials.size())); }
-
-  StructuralEdit adding(EditKind kind) {
-    StructuralEdit edit;
-    edit.kind = kind;
-    edit.name = "object " + std::to_string(below(1000));
-    const auto& lights = light_type_infos();
-    const auto& shapes = scene::shape_types();
-    edit.type = kind == EditKind::add_light ? lights[below(lights.size())].description.name
-                                            : shapes[below(shapes.size())].name;
-    edit.transform.translation = {between(-0.8f, 0.8f), between(-0.8f, 0.8f), between(-0.8f, 0.8f)};
-    edit.transform.scale = Vec3(between(0.02f, 0.2f));
-    return edit;
-  }
+  int any_node() { return static_cast<int>(below(document().scene->nodes.size())); }
+  int any_material() { return static_cast<int>(below(document().scene->materials.size())); }
 
   StructuralEdit of_node(EditKind kind) {
     StructuralEdit edit;
@@ -130,7 +98,7 @@ class RandomSceneEditor {
     edit.kind = EditKind::set_parent;
     edit.node = any_node();
     edit.parent = below(3) == 0 ? -1 : any_node();
-    const auto world = scene::world_matrices(*document_.scene);
+    const auto world = scene::world_matrices(*document().scene);
     const Mat4 parent = edit.parent < 0 ? Mat4(1) : world[static_cast<size_t>(edit.parent)];
     if (scene::is_singular(parent)) return;
     const Mat4 local = glm::inverse(parent) * world[static_cast<size_t>(edit.node)];
@@ -142,9 +110,9 @@ class RandomSceneEditor {
   }
 
   void paste_material() {
-    const auto& materials = document_.scene->materials;
-    const auto settings = render::material_settings(materials[below(materials.size())], document_.scene->textures);
-    auto changed = render::with_material_settings(document_, below(materials.size()), settings);
+    const auto& materials = document().scene->materials;
+    const auto settings = render::material_settings(materials[below(materials.size())], document().scene->textures);
+    auto changed = render::with_material_settings(document(), below(materials.size()), settings);
     ASSERT_TRUE(changed) << changed.error().message;
     step(std::move(*changed));
   }
@@ -152,9 +120,9 @@ class RandomSceneEditor {
   void change_texture() {
     const auto slots = texture_slots();
     const std::string name = "material." + std::to_string(any_material()) + ".texture." + slots[below(slots.size())].name;
-    const auto count = static_cast<int64_t>(document_.scene->textures.size());
+    const auto count = static_cast<int64_t>(document().scene->textures.size());
     const auto texture = static_cast<int64_t>(below(static_cast<size_t>(count) + 1)) - 1;
-    auto changed = render::with(document_, name, Value(texture));
+    auto changed = render::with(document(), name, Value(texture));
     if (changed && texture >= 0) changed = render::with(*changed, name + ".scale.x", Value(double{between(0.1f, 4)}));
     if (changed && texture >= 0) changed = render::with(*changed, name + ".rotation", Value(double{between(-3, 3)}));
     if (changed) step(std::move(*changed));
@@ -162,7 +130,7 @@ class RandomSceneEditor {
 
   // One parameter of the section, of any type.
   void change_parameter_of(const std::string& section) {
-    const auto parameters = render::section_parameters(document_, section);
+    const auto parameters = render::section_parameters(document(), section);
     const auto& info = parameters[below(parameters.size())].info;
     if (info.validate_text) return;
     Value value;
@@ -181,25 +149,10 @@ class RandomSceneEditor {
         value = info.options[below(info.options.size())];
         break;
     }
-    if (auto changed = render::with(document_, info.name, value)) step(std::move(*changed));
+    if (auto changed = render::with(document(), info.name, value)) step(std::move(*changed));
   }
 
-  // An impossible edit, as of a removed node, changes nothing.
-  void apply(const StructuralEdit& edit) {
-    if (auto changed = render::with_structural_edit(document_, edit)) step(std::move(*changed));
-  }
-
-  void step(Document changed) {
-    ++done_;
-    undo_.push_back(std::exchange(document_, std::move(changed)));
-    redo_.clear();
-  }
-
-  Document document_;
   std::vector<std::string> pictures_;
-  std::vector<Document> undo_, redo_;
-  std::mt19937 random_;
-  size_t done_ = 0;
 };
 
 class RandomEdits : public testing::Test {

@@ -4,12 +4,11 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <random>
 
-#include "light/light.h"
 #include "render/scene_saving.h"
 #include "render/session.h"
 #include "scene/gltf/save_gltf.h"
+#include "support/random_editor.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -32,12 +31,9 @@ Document cornell_by_name() {
 }
 
 // Random edits of a document: of the structure, of parameters of the objects, undo and redo.
-class RandomObjectEditor {
+class RandomObjectEditor : public test::RandomEditor {
  public:
-  RandomObjectEditor(Document document, uint32_t seed) : document_(std::move(document)), random_(seed) {}
-
-  const Document& document() const { return document_; }
-  size_t undo_depth() const { return undo_.size(); }
+  using RandomEditor::RandomEditor;
 
   void edit() {
     switch (below(12)) {
@@ -63,63 +59,22 @@ class RandomObjectEditor {
     }
   }
 
-  void undo() {
-    if (undo_.empty()) return;
-    redo_.push_back(std::exchange(document_, undo_.back()));
-    undo_.pop_back();
-  }
-  void redo() {
-    if (redo_.empty()) return;
-    undo_.push_back(std::exchange(document_, redo_.back()));
-    redo_.pop_back();
-  }
-
  private:
-  size_t below(size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random_); }
-  float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
-
-  StructuralEdit adding(EditKind kind) {
-    StructuralEdit edit;
-    edit.kind = kind;
-    edit.name = "object " + std::to_string(below(1000));
-    const auto& lights = light_type_infos();
-    const auto& shapes = scene::shape_types();
-    if (kind == EditKind::add_light) edit.type = lights[below(lights.size())].description.name;
-    if (kind == EditKind::add_shape) edit.type = shapes[below(shapes.size())].name;
-    edit.transform.translation = {between(-0.8f, 0.8f), between(-0.8f, 0.8f), between(-0.8f, 0.8f)};
-    edit.transform.scale = Vec3(between(0.02f, 0.2f));
-    return edit;
-  }
-
   StructuralEdit of_node(EditKind kind) {
     StructuralEdit edit;
     edit.kind = kind;
-    edit.node = static_cast<int>(below(document_.scene->nodes.size()));
+    edit.node = static_cast<int>(below(document().scene->nodes.size()));
     edit.name = "renamed " + std::to_string(below(1000));
     return edit;
   }
 
-  // An impossible edit, as of a removed node, changes nothing.
-  void apply(const StructuralEdit& edit) {
-    if (auto changed = render::with_structural_edit(document_, edit)) step(std::move(*changed));
-  }
-
   void change_parameter() {
-    const std::string node = "node." + std::to_string(below(document_.scene->nodes.size()));
+    const std::string node = "node." + std::to_string(below(document().scene->nodes.size()));
     const bool hides = below(4) == 0;
-    auto changed = hides ? render::with(document_, node + ".visible", Value(below(2) == 0))
-                         : render::with(document_, node + ".translation.x", Value(double{between(-0.5f, 0.5f)}));
+    auto changed = hides ? render::with(document(), node + ".visible", Value(below(2) == 0))
+                         : render::with(document(), node + ".translation.x", Value(double{between(-0.5f, 0.5f)}));
     if (changed) step(std::move(*changed));
   }
-
-  void step(Document changed) {
-    undo_.push_back(std::exchange(document_, std::move(changed)));
-    redo_.clear();
-  }
-
-  Document document_;
-  std::vector<Document> undo_, redo_;
-  std::mt19937 random_;
 };
 
 void expect_same_scene(const scene::Scene& a, const scene::Scene& b) {
