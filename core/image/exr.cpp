@@ -7,7 +7,7 @@
 //
 // Limits of what is read: exr_limits.h.
 //
-// Written: float channels, ZIP compression, text attributes.
+// Written: float channels, ZIP or no compression, text attributes.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -192,9 +192,9 @@ Result<void> check_layers(const std::string& name, const LayeredImage& image) {
   return {};
 }
 
-Imf::Header make_header(const LayeredImage& image) {
+Imf::Header make_header(const LayeredImage& image, Imf::Compression compression) {
   Imf::Header header(image.width, image.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  header.compression() = compression;
   for (const auto& [key, text] : image.attributes) header.insert(key, Imf::StringAttribute(text));
   for (const Layer& layer : image.layers)
     for (const std::string& channel : layer.channels)
@@ -242,8 +242,8 @@ class FileStream : public Imf::OStream {
   bool complete_ = true;
 };
 
-void write_pixels(FileStream& stream, const LayeredImage& image) {
-  Imf::OutputFile file(stream, make_header(image));
+void write_pixels(FileStream& stream, const LayeredImage& image, Imf::Compression compression) {
+  Imf::OutputFile file(stream, make_header(image, compression));
   file.setFrameBuffer(make_source(image));
   file.writePixels(image.height);
 }
@@ -280,13 +280,15 @@ Result<LayeredImage> read_exr_header(const std::filesystem::path& path) {
   return decode_content(*bytes, path.string(), Content::header);
 }
 
-Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
+namespace {
+
+Result<void> write_file(const std::filesystem::path& path, const LayeredImage& image, Imf::Compression compression) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
     FileStream stream(temporary);
     std::string problem;
     try {
-      write_pixels(stream, image);
+      write_pixels(stream, image, compression);
     } catch (const std::exception& e) {
       problem = e.what();
     }
@@ -294,6 +296,16 @@ Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& im
     if (!problem.empty()) return output_error(path.string() + ": cannot be written as OpenEXR: " + problem);
     return {};
   });
+}
+
+}  // namespace
+
+Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
+  return write_file(path, image, Imf::ZIP_COMPRESSION);
+}
+
+Result<void> write_uncompressed_exr(const std::filesystem::path& path, const LayeredImage& image) {
+  return write_file(path, image, Imf::NO_COMPRESSION);
 }
 
 extern const ImageFormat kExrFormat{

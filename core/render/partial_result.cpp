@@ -262,7 +262,7 @@ Result<void> write_part(const std::filesystem::path& path, PartInfo info, const 
   json j = info_json(info);
   j["hash"] = content_hash(j, image);
   image.attributes[kPartAttribute] = j.dump();
-  return image::write_exr(path, image);
+  return image::write_uncompressed_exr(path, image);
 }
 
 Result<PartInfo> read_part_info(const std::filesystem::path& path) {

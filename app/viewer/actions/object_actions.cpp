@@ -75,7 +75,8 @@ void add_gizmo_actions(ActionList& actions) {
                .run = [](AppState& state) { state.viewport.show_icons = !state.viewport.show_icons; },
                .enabled = has_document,
                .checked = [](const AppState& state) { return state.viewport.show_icons; },
-               .section = "overlays"});
+               .section = "overlays",
+               .submenu = "Overlays"});
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "[",
                .run = [](AppState& state) { change_exposure(state, -kExposureStep); },
                .enabled = has_document,
-               .section = "display"});
+               .section = "display",
+               .submenu = "Exposure"});
   actions.add({.name = "display.brighter",
                .menu = "View",
                .label = "Exposure up",
@@ -116,7 +117,8 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "]",
                .run = [](AppState& state) { change_exposure(state, kExposureStep); },
                .enabled = has_document,
-               .section = "display"});
+               .section = "display",
+               .submenu = "Exposure"});
   actions.add({.name = "display.auto-exposure",
                .menu = "View",
                .label = "Automatic exposure",
@@ -124,7 +126,8 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "a",
                .run = set_automatic_exposure,
                .enabled = has_document,
-               .section = "display"});
+               .section = "display",
+               .submenu = "Exposure"});
   actions.add({.name = "display.next-aov",
                .menu = "View",
                .label = "Next AOV",
@@ -159,7 +162,8 @@ void add_display_actions(ActionList& actions) {
                .run = [](AppState& state) { state.viewport.show_reliability = !state.viewport.show_reliability; },
                .enabled = has_document,
                .checked = [](const AppState& state) { return state.viewport.show_reliability; },
-               .section = "overlays"});
+               .section = "overlays",
+               .submenu = "Overlays"});
   actions.add(
       {.name = "view.points",
        .menu = "View",
@@ -168,7 +172,8 @@ void add_display_actions(ActionList& actions) {
        .run = [](AppState& state) { state.viewport.show_stored_points = !state.viewport.show_stored_points; },
        .enabled = has_document,
        .checked = [](const AppState& state) { return state.viewport.show_stored_points; },
-       .section = "overlays"});
+       .section = "overlays",
+       .submenu = "Overlays"});
 }
 
 void add_safe_frames(ActionList& actions) {
@@ -179,7 +184,8 @@ void add_safe_frames(ActionList& actions) {
                .run = [](AppState& state) { state.viewport.show_safe_frames = !state.viewport.show_safe_frames; },
                .enabled = has_document,
                .checked = [](const AppState& state) { return state.viewport.show_safe_frames; },
-               .section = "overlays"});
+               .section = "overlays",
+               .submenu = "Overlays"});
 }
 
 void add_animation_actions(ActionList& actions) {
@@ -191,7 +197,8 @@ void add_animation_actions(ActionList& actions) {
                .run = toggle_playback,
                .enabled = is_animated,
                .checked = [](const AppState& state) { return state.viewport.playback.is_playing; },
-               .section = "animation"});
+               .section = "animation",
+               .submenu = "Animation"});
   actions.add({.name = "animation.previous-frame",
                .menu = "View",
                .label = "Previous frame",
@@ -199,7 +206,8 @@ void add_animation_actions(ActionList& actions) {
                .shortcut = ",",
                .run = [](AppState& state) { step_frame(state, -1); },
                .enabled = is_animated,
-               .section = "animation"});
+               .section = "animation",
+               .submenu = "Animation"});
   actions.add({.name = "animation.next-frame",
                .menu = "View",
                .label = "Next frame",
@@ -207,7 +215,8 @@ void add_animation_actions(ActionList& actions) {
                .shortcut = ".",
                .run = [](AppState& state) { step_frame(state, 1); },
                .enabled = is_animated,
-               .section = "animation"});
+               .section = "animation",
+               .submenu = "Animation"});
 }
 
 void add_interface_actions(ActionList& actions) {

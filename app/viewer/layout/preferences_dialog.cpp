@@ -153,7 +153,7 @@ void PreferencesDialog::draw(AppState& state) {
   if (!open) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
-  if (!begin_dialog(kName, {std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 28)})) return;
+  if (!begin_dialog(kName, {std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 36)})) return;
   ImGui::TextColored(state.ui.theme.accent, "Preferences");
   const bool was_capturing = !capturing_.empty();
   const float footer = ImGui::GetFrameHeightWithSpacing();

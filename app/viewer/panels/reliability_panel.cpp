@@ -54,8 +54,8 @@ void tail_values(const UiContext& ui, const render::Reliability& reliability) {
                  "Pareto shape k of the largest samples. From 0.5 on the variance is infinite; above 0.7 error "
                  "estimates are meaningless");
   labelled_value(ui, "Heavy-tailed", formatted("%.2g %% of the image", 100 * reliability.heavy_share),
-                 "Share of the image where the tail index is too high and few samples dominate the noise. View > Show "
-                 "unreliable regions marks these tiles");
+                 "Share of the image where the tail index is too high and few samples dominate the noise. View > "
+                 "Overlays > Show unreliable regions marks these tiles");
   labelled_value(ui, "Variance of variance", formatted("%.2g", tail.vov),
                  "Relative variance of the variance estimate. Above 0.1 the error is not known yet");
   const char* bound = tail.brightest_share_is_lower_bound ? "more than " : "";

@@ -51,6 +51,50 @@ std::string format_of(const ParameterInfo& info, double value) {
   return format;
 }
 
+// Position of a value on its slider, from 0 to 1.
+float slider_position(const ParameterInfo& info, double value) {
+  const double position = info.logarithmic ? std::log(value / info.min) / std::log(info.max / info.min)
+                                           : (value - info.min) / (info.max - info.min);
+  return static_cast<float>(std::clamp(position, 0.0, 1.0));
+}
+
+// The frame of a slider, filled up to the position of its value, so that no grab covers the number in the middle.
+void draw_filled_frame(ImVec2 corner, ImVec2 opposite, float position, bool is_hovered, bool is_active) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const ImGuiCol frame = is_active    ? ImGuiCol_FrameBgActive
+                         : is_hovered ? ImGuiCol_FrameBgHovered
+                                      : ImGuiCol_FrameBg;
+  list.AddRectFilled(corner, opposite, ImGui::GetColorU32(frame), rounding);
+  const ImVec2 end{std::round(corner.x + (opposite.x - corner.x) * position), opposite.y};
+  if (end.x <= corner.x) return;
+  list.PushClipRect(corner, end, true);  // keeps the rounded corners of the frame
+  list.AddRectFilled(corner, opposite, ImGui::GetColorU32(ImGuiCol_SliderGrab), rounding);
+  list.PopClipRect();
+}
+
+// A slider whose frame is filled instead of having a grab.
+bool filled_slider(const ParameterInfo& info, double shown, ImGuiDataType type, void* value, const void* min,
+                   const void* max, const char* format, bool is_hovered) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
+  const bool is_active = ImGui::GetActiveID() == ImGui::GetID("##");
+  const bool is_typing = is_active && ImGui::TempInputIsActive(ImGui::GetID("##"));
+  if (!is_typing) {
+    draw_filled_frame(corner, opposite, slider_position(info, shown), is_hovered, is_active);
+    constexpr ImVec4 kTransparent{0, 0, 0, 0};
+    for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab,
+                                 ImGuiCol_SliderGrabActive})
+      ImGui::PushStyleColor(color, kTransparent);
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 1);
+  const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (info.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool changed = ImGui::SliderScalar("##", type, value, min, max, format, flags);
+  ImGui::PopStyleVar();
+  if (!is_typing) ImGui::PopStyleColor(5);
+  return changed;
+}
+
 // Opens text input for the slider or drag field with this ID. The widget then shows text input until editing ends.
 bool text_input(ImGuiID id, ImGuiDataType type, void* value, const char* format, const void* min, const void* max) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -139,7 +183,6 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   const auto i_min = static_cast<int64_t>(info.min);
   const auto i_max = static_cast<int64_t>(info.max);
   const std::string format = format_of(info, d);
-  const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (info.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   const ImGuiDataType type = is_integer ? ImGuiDataType_S64 : ImGuiDataType_Double;
   void* value = is_integer ? static_cast<void*>(&i) : &d;
   const void* min = is_integer ? static_cast<const void*>(&i_min) : &info.min;
@@ -152,7 +195,7 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   if (starts_typing) {
     changed = text_input(id, type, value, format.c_str(), min, max);
   } else if (drag_speed <= 0 && is_slider(info)) {
-    changed = ImGui::SliderScalar("##", type, value, min, max, format.c_str(), flags);
+    changed = filled_slider(info, d, type, value, min, max, format.c_str(), hovered);
   } else {
     // The speed is proportional to the value, which suits small and large values.
     const float speed = drag_speed > 0 ? drag_speed

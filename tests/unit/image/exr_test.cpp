@@ -50,18 +50,20 @@ TEST(Exr, RoundTripIsExact) {
   const TemporaryFile file("a.exr");
   LayeredImage image = four_layers();
   image.layers[0].pixels[4] = std::numeric_limits<float>::infinity();
-  ASSERT_TRUE(image::write_exr(file.path(), image));
-  const auto read = read_exr(file.path());
-  ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->width, 5);
-  EXPECT_EQ(read->height, 3);
-  EXPECT_EQ(read->attributes, image.attributes);
-  ASSERT_EQ(read->layers.size(), image.layers.size());
-  for (const Layer& layer : image.layers) {
-    const Layer* found = read->find(layer.name);
-    ASSERT_NE(found, nullptr) << layer.name;
-    EXPECT_EQ(found->channels, layer.channels);
-    EXPECT_EQ(found->pixels, layer.pixels);
+  for (const auto write : {image::write_exr, image::write_uncompressed_exr}) {
+    ASSERT_TRUE(write(file.path(), image));
+    const auto read = read_exr(file.path());
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->width, 5);
+    EXPECT_EQ(read->height, 3);
+    EXPECT_EQ(read->attributes, image.attributes);
+    ASSERT_EQ(read->layers.size(), image.layers.size());
+    for (const Layer& layer : image.layers) {
+      const Layer* found = read->find(layer.name);
+      ASSERT_NE(found, nullptr) << layer.name;
+      EXPECT_EQ(found->channels, layer.channels);
+      EXPECT_EQ(found->pixels, layer.pixels);
+    }
   }
 }
 
