@@ -282,7 +282,7 @@ Result<LayeredImage> read_exr_header(const std::filesystem::path& path) {
 
 namespace {
 
-Result<void> write_file(const std::filesystem::path& path, const LayeredImage& image, Imf::Compression compression) {
+Result<void> write_exr_file(const std::filesystem::path& path, const LayeredImage& image, Imf::Compression compression) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
     FileStream stream(temporary);
@@ -301,11 +301,11 @@ Result<void> write_file(const std::filesystem::path& path, const LayeredImage& i
 }  // namespace
 
 Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
-  return write_file(path, image, Imf::ZIP_COMPRESSION);
+  return write_exr_file(path, image, Imf::ZIP_COMPRESSION);
 }
 
 Result<void> write_uncompressed_exr(const std::filesystem::path& path, const LayeredImage& image) {
-  return write_file(path, image, Imf::NO_COMPRESSION);
+  return write_exr_file(path, image, Imf::NO_COMPRESSION);
 }
 
 extern const ImageFormat kExrFormat{

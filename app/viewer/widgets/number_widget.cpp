@@ -82,10 +82,10 @@ bool filled_slider(const ParameterInfo& info, double shown, ImGuiDataType type, 
   const bool is_typing = is_active && ImGui::TempInputIsActive(ImGui::GetID("##"));
   if (!is_typing) {
     draw_filled_frame(corner, opposite, slider_position(info, shown), is_hovered, is_active);
-    constexpr ImVec4 kTransparent{0, 0, 0, 0};
+    const ImVec4 transparent{0, 0, 0, 0};
     for (const ImGuiCol color : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab,
                                  ImGuiCol_SliderGrabActive})
-      ImGui::PushStyleColor(color, kTransparent);
+      ImGui::PushStyleColor(color, transparent);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 1);
   const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (info.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
