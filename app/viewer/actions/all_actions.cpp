@@ -25,12 +25,12 @@ void add_panel_actions(ActionList& actions, const PanelSet& panels) {
 void add_all_actions(ActionList& actions, const PanelSet& panels) {
   add_file_actions(actions);
   add_edit_actions(actions);
+  add_view_actions(actions);
+  add_zoom_actions(actions);
   add_object_actions(actions);
   add_material_actions(actions);
   add_render_actions(actions);
   add_integrator_actions(actions);
-  add_view_actions(actions);
-  add_zoom_actions(actions);
   add_inspection_actions(actions);
   add_panel_actions(actions, panels);
   add_comparison_actions(actions);

@@ -68,15 +68,6 @@ void add_gizmo_actions(ActionList& actions) {
                .enabled = has_document,
                .checked = [](const AppState& state) { return state.viewport.gizmo.local; },
                .section = "gizmo"});
-  actions.add({.name = "view.icons",
-               .menu = "View",
-               .label = "Show lights and cameras",
-               .tooltip = "Draws an icon at each light and camera. A click on it selects the object",
-               .run = [](AppState& state) { state.viewport.show_icons = !state.viewport.show_icons; },
-               .enabled = has_document,
-               .checked = [](const AppState& state) { return state.viewport.show_icons; },
-               .section = "overlays",
-               .submenu = "Overlays"});
 }
 
 }  // namespace

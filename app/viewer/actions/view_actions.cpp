@@ -155,6 +155,15 @@ void add_display_actions(ActionList& actions) {
                .run = [](AppState& state) { state.viewport.false_color = !state.viewport.false_color; },
                .checked = [](const AppState& state) { return state.viewport.false_color; },
                .section = "display"});
+  actions.add({.name = "view.icons",
+               .menu = "View",
+               .label = "Show lights and cameras",
+               .tooltip = "Draws an icon at each light and camera. A click on it selects the object",
+               .run = [](AppState& state) { state.viewport.show_icons = !state.viewport.show_icons; },
+               .enabled = has_document,
+               .checked = [](const AppState& state) { return state.viewport.show_icons; },
+               .section = "overlays",
+               .submenu = "Overlays"});
   actions.add({.name = "view.reliability-map",
                .menu = "View",
                .label = "Show unreliable regions",

@@ -97,6 +97,15 @@ void color_swatch(size_t method) {
   ImGui::SameLine(0, size * 0.6f);
 }
 
+// Continues on further lines below the first one where the column is too narrow.
+void draw_wrapped(const std::string& text) {
+  ImGui::BeginGroup();
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndGroup();
+}
+
 void cell(const std::string& text) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(text.c_str());
@@ -287,7 +296,7 @@ class ConvergencePanel final : public Panel {
     ImGui::TableNextColumn();
     const auto index = task_.index_in_result(spec);
     color_swatch(index.value_or(row));
-    ImGui::TextUnformatted(shortened(method_label(spec), ImGui::GetContentRegionAvail().x).c_str());
+    draw_wrapped(method_label(spec));
     if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
     if (index)
       value_cells(ui, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);
