@@ -486,9 +486,8 @@ int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (a.sequence.is_given() && (ranks || writes_part || !a.resume.empty() || a.checkpoint_interval > 0))
     return fail(usage_error("render: --frames and --turntable render whole images by one process; leave out mpirun, "
                             "--samples, --region, --checkpoint and --resume, and divide the frames instead"));
-  // A single rank renders what does not divide as a process without mpirun does.
-  const bool is_alone = !ranks || ranks->size() == 1;
-  if (is_alone && (writes_part || !ranks_incompatibility(start->document).empty())) ranks = nullptr;
+  // A single rank renders as a process without mpirun does.
+  if (ranks && ranks->size() == 1) ranks = nullptr;
   if (writes_part && !ranks)
     if (auto ok = check_part_arguments(a, *start); !ok) return fail(ok.error());
   if (auto ok = check_layers(a, *aovs, *start, ranks != nullptr); !ok) return fail(ok.error());

@@ -3,12 +3,10 @@
 namespace etendue::film {
 namespace {
 
-// Adds what rounding has removed from the sums of a pixel, level by level.
+// Adds what rounding has removed from the sums of a pixel.
 void add_rounding_errors(Film& to, const Film& from, int x, int y, uint32_t half) {
-  std::array<std::vector<double>, 3> levels;
-  for (size_t c = 0; c < 3; ++c) levels[c] = from.rounding_errors().errors(x, y, half, c);
-  for (size_t level = 0; level < levels[0].size(); ++level)
-    to.add_sum(x, y, half, {levels[0][level], levels[1][level], levels[2][level]}, 0);
+  from.rounding_errors().for_each_level(
+      x, y, half, [&](const RoundingErrors::Channels& errors) { to.add_sum(x, y, half, errors, 0); });
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ class RoundingErrors {
   Channels rounded(int x, int y, size_t half_buffer, const Channels& sum) const;
   // The errors of one channel, one per level.
   std::vector<double> errors(int x, int y, size_t half_buffer, size_t channel) const;
+  // Calls visit(const Channels&) for each level, the largest errors first.
+  template <class Visit>
+  void for_each_level(int x, int y, size_t half_buffer, Visit visit) const {
+    for (const Segment* s = segments_[segment_of(x, y)].load(); s; s = s->next.load())
+      visit(s->errors[static_cast<uint32_t>(x) % kWidth][half_buffer]);
+  }
 
   // Removes the errors of the rows [first, end).
   void clear_rows(int first, int end);

@@ -7,7 +7,7 @@
 //
 // Limits of what is read: exr_limits.h.
 //
-// Written: float channels, ZIP or no compression, text attributes.
+// Written: float channels, ZIP or run-length compression, text attributes.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -16,6 +16,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -24,6 +25,7 @@
 #include <memory>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "base/file.h"
 #include "image/exr_attributes.h"
@@ -38,6 +40,18 @@ std::string full_name(const Layer& layer, const std::string& channel) {
 }
 
 // ---- Reading
+
+// The number of threads for the blocks of an image with this number of values. 0 means that the calling thread does it.
+int threads_for(size_t values) {
+  constexpr size_t kParallelFrom = size_t{1} << 20;
+  if (values < kParallelFrom) return 0;
+  static const int count = [] {
+    const int threads = static_cast<int>(std::thread::hardware_concurrency());
+    Imf::setGlobalThreadCount(threads);
+    return threads;
+  }();
+  return count;
+}
 
 class MemoryStream : public Imf::IStream {
  public:
@@ -243,7 +257,9 @@ class FileStream : public Imf::OStream {
 };
 
 void write_pixels(FileStream& stream, const LayeredImage& image, Imf::Compression compression) {
-  Imf::OutputFile file(stream, make_header(image, compression));
+  size_t values = 0;
+  for (const Layer& layer : image.layers) values += layer.pixels.size();
+  Imf::OutputFile file(stream, make_header(image, compression), threads_for(values));
   file.setFrameBuffer(make_source(image));
   file.writePixels(image.height);
 }
@@ -255,7 +271,8 @@ Result<LayeredImage> decode_content(Bytes bytes, const std::string& name, Conten
   if (auto checked = check_exr_attributes(bytes, name); !checked) return checked.error();
   try {
     MemoryStream stream(bytes, name);
-    Imf::MultiPartInputFile file(stream, 0, false);
+    const int threads = content == Content::header ? 0 : threads_for(bytes.size() / sizeof(float));
+    Imf::MultiPartInputFile file(stream, threads, false);
     return decode(file, bytes, name, content);
   } catch (const std::exception& e) {
     return input_error(name + ": damaged or unsupported OpenEXR: " + e.what());
@@ -304,8 +321,8 @@ Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& im
   return write_exr_file(path, image, Imf::ZIP_COMPRESSION);
 }
 
-Result<void> write_uncompressed_exr(const std::filesystem::path& path, const LayeredImage& image) {
-  return write_exr_file(path, image, Imf::NO_COMPRESSION);
+Result<void> write_exr_quickly(const std::filesystem::path& path, const LayeredImage& image) {
+  return write_exr_file(path, image, Imf::RLE_COMPRESSION);
 }
 
 extern const ImageFormat kExrFormat{

@@ -1,5 +1,7 @@
 #include "render/partial_result.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,24 +58,36 @@ class SumLayers {
  private:
   bool add_value(int x, int y, size_t channel) {
     const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(film_.width()) + static_cast<size_t>(x);
-    const double sum = film_.pixels()[pixel].sum[half_][channel];
-    const bool is_exact = !film_.rounding_errors().any_at(x, y);
-    std::vector<double> terms;
-    if (!is_exact) {
-      terms = film_.rounding_errors().errors(x, y, half_, channel);
-      terms.push_back(sum);
-    }
-    double rest = is_exact ? sum : rounded_sum(terms);
+    double rest = film_.pixels()[pixel].sum[half_][channel], error = 0;
+    size_t levels = 0;
+    film_.rounding_errors().for_each_level(x, y, half_, [&](const film::RoundingErrors::Channels& errors) {
+      error = errors[channel];
+      ++levels;
+    });
+    if (levels > 1) return add_terms(x, y, pixel, channel);
+    // The exact sum is rest + error. A digit is the leading part of `rest`, so the difference has no rounding error.
+    error = add_exactly(rest, error);
     for (size_t digit = 0; rest != 0; ++digit) {
       if (std::abs(rest) > double{std::numeric_limits<float>::max()}) return false;
       const auto value = static_cast<float>(rest);
       layer(digit).pixels[3 * pixel + channel] = value;
-      if (is_exact) {
-        rest -= double{value};
-      } else {
-        terms.push_back(-double{value});
-        rest = rounded_sum(terms);
-      }
+      rest -= double{value};
+      error = add_exactly(rest, error);
+    }
+    return true;
+  }
+
+  // The same for any number of terms.
+  bool add_terms(int x, int y, size_t pixel, size_t channel) {
+    std::vector<double> terms = film_.rounding_errors().errors(x, y, half_, channel);
+    terms.push_back(film_.pixels()[pixel].sum[half_][channel]);
+    double rest = rounded_sum(terms);
+    for (size_t digit = 0; rest != 0; ++digit) {
+      if (std::abs(rest) > double{std::numeric_limits<float>::max()}) return false;
+      const auto value = static_cast<float>(rest);
+      layer(digit).pixels[3 * pixel + channel] = value;
+      terms.push_back(-double{value});
+      rest = rounded_sum(terms);
     }
     return true;
   }
@@ -168,14 +182,16 @@ bool is_intact(const image::LayeredImage& image, const PartInfo& info, const fil
 void add_layer(const image::Layer& layer, film::Film& film) {
   const uint32_t half = layer.name.starts_with(kHalfNames[0]) ? 0 : 1;
   const bool counts = is_count(layer);
-  const float* value = layer.pixels.data();
-  for (int y = 0; y < film.height(); ++y)
+  const size_t row_length = layer.channels.size() * static_cast<size_t>(film.width());
+  tbb::parallel_for(0, film.height(), [&](int y) {
+    const float* value = layer.pixels.data() + row_length * static_cast<size_t>(y);
     for (int x = 0; x < film.width(); ++x, value += layer.channels.size()) {
       if (counts)
         film.add_sum(x, y, half, {}, static_cast<uint32_t>(*value));
       else
         film.add_sum(x, y, half, {double{value[0]}, double{value[1]}, double{value[2]}}, 0);
     }
+  });
 }
 
 // Throws json::exception if a member is missing or has another type.
@@ -262,7 +278,7 @@ Result<void> write_part(const std::filesystem::path& path, PartInfo info, const 
   json j = info_json(info);
   j["hash"] = content_hash(j, image);
   image.attributes[kPartAttribute] = j.dump();
-  return image::write_uncompressed_exr(path, image);
+  return image::write_exr_quickly(path, image);
 }
 
 Result<PartInfo> read_part_info(const std::filesystem::path& path) {
