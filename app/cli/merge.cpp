@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <tuple>
 
@@ -115,15 +116,22 @@ Result<void> check_output(const MergeArguments& a) {
   return check_writable(a.out);
 }
 
-// Adds the parts one after the other.
+// Adds the parts one after the other. The next one is read meanwhile.
 Result<render::PartialSamples> merged_samples(const MergeArguments& a, const PartList& list) {
   const int width = list.merged.width, height = list.merged.height;
   render::PartialSamples samples{film::Film(width, height), {}};
   samples.tails.resize(render::TailStatistics::tile_count(width, height));
   Progress progress;
+  const auto load = [&](size_t i) {
+    return std::async(std::launch::async, [&, i] { return render::load_part(a.parts[i], list.infos[i]); });
+  };
+  auto next = load(0);
   for (size_t i = 0; i < a.parts.size(); ++i) {
     progress.show(static_cast<double>(i) / static_cast<double>(a.parts.size()), a.parts[i]);
-    if (auto ok = render::add_part(a.parts[i], list.infos[i], samples); !ok) return ok.error();
+    const auto part = next.get();
+    if (!part) return part.error();
+    if (i + 1 < a.parts.size()) next = load(i + 1);
+    render::add_part(*part, list.infos[i], samples);
   }
   progress.finish();
   return samples;

@@ -1,9 +1,5 @@
 #include "sequence_options.h"
 
-#include <numbers>
-
-#include "scene/compiled_scene.h"
-
 namespace etendue::cli {
 
 CommandOption frames_option(std::string& target) {
@@ -29,26 +25,14 @@ CommandOption turntable_option(uint32_t& target) {
           .bounds = between(1, render::kMaxFrames)};
 }
 
-ImageSequence::ImageSequence(const render::Document& document, const SequenceArguments& arguments,
-                             render::FrameRange range)
-    : document_(document), arguments_(arguments), range_(range) {
-  if (arguments.turntable == 0) return;
-  const auto compiled = scene::compile(document.scene, document.camera, nullptr, document.height);
-  centre_ = render::orbit_centre(document.camera, *compiled);
-}
-
-Result<render::Document> ImageSequence::at(uint32_t frame) const {
-  if (arguments_.turntable == 0) return render::animation_frame(document_, frame, arguments_.frames_per_second);
-  return render::turned_about(document_, centre_, 2 * std::numbers::pi * frame / arguments_.turntable);
-}
-
-Result<ImageSequence> image_sequence(const render::Document& document, const SequenceArguments& arguments) {
+Result<render::ImageSequence> image_sequence(const render::Document& document, const SequenceArguments& arguments) {
   if (!arguments.frames.empty() && arguments.turntable > 0)
     return usage_error("render: --frames and --turntable exclude each other");
-  if (arguments.turntable > 0) return ImageSequence(document, arguments, {0, arguments.turntable});
+  if (arguments.turntable > 0)
+    return render::ImageSequence(document, {.frames = {0, arguments.turntable}, .is_turntable = true});
   const auto range = render::parse_frames(arguments.frames);
   if (!range) return usage_error("--frames: " + range.error().message);
-  return ImageSequence(document, arguments, *range);
+  return render::ImageSequence(document, {.frames = *range, .frames_per_second = arguments.frames_per_second});
 }
 
 }  // namespace etendue::cli

@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "geometry/mesh.h"
 #include "scene/compiled_scene.h"
@@ -51,6 +53,18 @@ Vec3 orbit_centre(const Camera& camera, const scene::CompiledScene& scene) {
   const float to_centre = bounds.empty() ? 1.0f : glm::dot(bounds.center() - axis.origin, axis.direction);
   const float distance = hit ? hit.t : std::max(to_centre, 0.1f * std::max(bounds.radius(), 1e-3f));
   return axis.origin + axis.direction * distance;
+}
+
+ImageSequence::ImageSequence(Document document, const SequencePlan& plan)
+    : document_(std::move(document)), plan_(plan) {
+  if (!plan.is_turntable) return;
+  const auto compiled = scene::compile(document_.scene, document_.camera, nullptr, document_.height);
+  centre_ = orbit_centre(document_.camera, *compiled);
+}
+
+Result<Document> ImageSequence::at(uint32_t frame) const {
+  if (!plan_.is_turntable) return animation_frame(document_, frame, plan_.frames_per_second);
+  return turned_about(document_, centre_, 2 * std::numbers::pi * frame / plan_.frames.end);
 }
 
 std::string frame_file(const std::string& pattern, uint32_t number) {

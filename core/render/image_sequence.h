@@ -31,6 +31,29 @@ Document turned_about(const Document& document, const Vec3& centre, double angle
 // scene, in front of the camera.
 Vec3 orbit_centre(const Camera& camera, const scene::CompiledScene& scene);
 
+// What a sequence shows: frames of the animation, or a turn of the camera.
+struct SequencePlan {
+  FrameRange frames;              // of a turntable: from 0 to the number of images of the turn
+  double frames_per_second = 24;  // of an animation
+  bool is_turntable = false;
+};
+
+// The documents of a sequence of images.
+class ImageSequence {
+ public:
+  // Compiles the scene of a turntable, to find the centre of the turn.
+  ImageSequence(Document document, const SequencePlan& plan);
+
+  const FrameRange& range() const { return plan_.frames; }
+  // An error if the frame is outside of what the scene can show.
+  Result<Document> at(uint32_t frame) const;
+
+ private:
+  Document document_;
+  SequencePlan plan_;
+  Vec3 centre_{0};  // of a turntable
+};
+
 // The name of the file of a frame: "####" in the pattern is replaced by the number with at least as many digits; without
 // "#", the number with four digits is put before the extension, "box.0012.exr" for "box.exr".
 std::string frame_file(const std::string& pattern, uint32_t number);

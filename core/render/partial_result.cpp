@@ -167,9 +167,9 @@ uint64_t content_hash(const json& info, const image::LayeredImage& image) {
 
 bool is_count(const image::Layer& layer) { return layer.name.ends_with("count"); }
 
-// Whether the file has the size of the film, all its layers and attributes, and the content that was written.
-bool is_intact(const image::LayeredImage& image, const PartInfo& info, const film::Film& film) {
-  if (image.width != film.width() || image.height != film.height() || !image.attributes.contains(kStateAttribute) ||
+// Whether the file has the stated size, all its layers and attributes, and the content that was written.
+bool is_intact(const image::LayeredImage& image, const PartInfo& info) {
+  if (image.width != info.width || image.height != info.height || !image.attributes.contains(kStateAttribute) ||
       !image.attributes.contains(kTailsAttribute))
     return false;
   const auto has_channels = [](const image::Layer* layer) {
@@ -308,21 +308,25 @@ Result<PartInfo> read_part_info(const std::filesystem::path& path) {
   }
 }
 
-Result<void> add_part(const std::filesystem::path& path, const PartInfo& info, PartialSamples& samples) {
-  const auto image = image::read_exr(path);
+Result<LoadedPart> load_part(const std::filesystem::path& path, const PartInfo& info) {
+  auto image = image::read_exr(path);
   if (!image) return damaged_part(path, "it is truncated or damaged");
-  film::Film& film = samples.film;
-  if (!is_intact(*image, info, film)) return damaged_part(path, "it is damaged");
+  if (!is_intact(*image, info)) return damaged_part(path, "it is damaged");
   const auto bytes = decode_base64(image->attributes.at(kTailsAttribute));
-  const auto tails = bytes ? film::tail_states_from(*bytes) : std::nullopt;
-  if (!tails || tails->size() != samples.tails.size()) return damaged_part(path, "its statistics are damaged");
-  for (const image::Layer* layer : sample_layers(*image)) add_layer(*layer, film);
+  auto tails = bytes ? film::tail_states_from(*bytes) : std::nullopt;
+  if (!tails || tails->size() != TailStatistics::tile_count(info.width, info.height))
+    return damaged_part(path, "its statistics are damaged");
+  return LoadedPart{std::move(*image), std::move(*tails)};
+}
+
+void add_part(const LoadedPart& part, const PartInfo& info, PartialSamples& samples) {
+  film::Film& film = samples.film;
+  for (const image::Layer* layer : sample_layers(part.image)) add_layer(*layer, film);
   const size_t capacity = TailStatistics::capacity(film.width(), film.height());
-  for (size_t i = 0; i < tails->size(); ++i) film::merge(samples.tails[i], (*tails)[i], capacity);
+  for (size_t i = 0; i < part.tails.size(); ++i) film::merge(samples.tails[i], part.tails[i], capacity);
   film::InvalidSamples invalid = film.invalid_samples();
   film::merge(invalid, info.invalid_samples);
   film.set_invalid_samples(invalid);
-  return {};
 }
 
 }  // namespace etendue::render

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "film/film.h"
 #include "film/tail_state.h"
+#include "image/image.h"
 #include "render/sample_coverage.h"
 
 namespace etendue::render {
@@ -42,7 +43,16 @@ Result<void> write_part(const std::filesystem::path& path, PartInfo info, const 
 // Reads everything except the samples.
 Result<PartInfo> read_part_info(const std::filesystem::path& path);
 
-// Reads the samples of a file and adds them. `info` is that of the file. A damaged or changed file is an input error.
-Result<void> add_part(const std::filesystem::path& path, const PartInfo& info, PartialSamples& samples);
+// The samples of a file as they are stored.
+struct LoadedPart {
+  image::LayeredImage image;
+  std::vector<film::TailState> tails;
+};
+
+// Reads the samples of a file. `info` is that of the file. A damaged or changed file is an input error.
+Result<LoadedPart> load_part(const std::filesystem::path& path, const PartInfo& info);
+
+// Adds samples; `info` is that of their file. The tails must have one element per tile.
+void add_part(const LoadedPart& part, const PartInfo& info, PartialSamples& samples);
 
 }  // namespace etendue::render

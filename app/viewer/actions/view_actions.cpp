@@ -226,6 +226,32 @@ void add_animation_actions(ActionList& actions) {
                .enabled = is_animated,
                .section = "animation",
                .submenu = "Animation"});
+  actions.add({.name = "animation.range-start",
+               .menu = "View",
+               .label = "Start range here",
+               .tooltip = "Playback, frame steps and sequences start at the present frame",
+               .run = start_range_here,
+               .enabled = is_animated,
+               .section = "animation",
+               .submenu = "Animation"});
+  actions.add({.name = "animation.range-end",
+               .menu = "View",
+               .label = "End range here",
+               .tooltip = "Playback, frame steps and sequences end at the present frame",
+               .run = end_range_here,
+               .enabled = is_animated,
+               .section = "animation",
+               .submenu = "Animation"});
+  actions.add({.name = "animation.clear-range",
+               .menu = "View",
+               .label = "Clear range",
+               .tooltip = "Plays the whole clip again",
+               .run = [](AppState& state) { state.viewport.playback.first = state.viewport.playback.last = {}; },
+               .enabled = [](const AppState& state) {
+                 return state.viewport.playback.first || state.viewport.playback.last;
+               },
+               .section = "animation",
+               .submenu = "Animation"});
 }
 
 void add_interface_actions(ActionList& actions) {

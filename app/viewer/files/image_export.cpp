@@ -22,23 +22,40 @@ std::string certificate_of(const render::Session& session, const render::Documen
       advisor::certificate(separate_session, document, evidence, kCertificateSeconds, keep_going));
 }
 
+// Everything that an image file holds, except the certificate.
+struct Copies {
+  film::Film film;
+  std::optional<std::vector<float>> reweighted;
+  render::Status status;
+};
+
+Result<void> write_copies(const std::string& file, const render::Session& session, const render::Document& document,
+                          Copies copies) {
+  const std::string extension = lower_extension(file);
+  std::string certificate;
+  if (extension != ".png" && extension != ".hdr")
+    certificate = certificate_of(session, document,
+                                 advisor::statistics_of(copies.film, copies.status, session.model(), 0));
+  return render::write_image(file, {document, copies.film, copies.status.samples, std::move(certificate),
+                                    std::move(copies.reweighted)});
+}
+
 // Returns an empty name if the session has another version of the document.
 Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document,
                           uint64_t version) {
   if (auto known = render::check_output_name(file); !known) return known.error();
-  const film::Film film = session.film_copy();
-  auto displayed = session.reweighted_copy();
-  const render::Status status = session.status();
-  const advisor::RenderStatistics evidence = advisor::statistics_of(film, status, session.model(), 0);
+  Copies copies{session.film_copy(), session.reweighted_copy(), session.status()};
   // If the document was edited before the copy, the film belongs to other settings.
   if (session.status().version != version) return std::string();
-  const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),
-                                    std::move(displayed)};
-  if (auto written = render::write_image(file, rendering); !written) return written.error();
+  if (auto written = write_copies(file, session, document, std::move(copies)); !written) return written.error();
   return file;
 }
 
 }  // namespace
+
+Result<void> write_image_of(render::Session& session, const render::Document& document, const std::string& file) {
+  return write_copies(file, session, document, {session.film_copy(), session.reweighted_copy(), session.status()});
+}
 
 void ImageExport::finish_pass() {
   const render::Status status = session_.status();

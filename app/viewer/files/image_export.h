@@ -20,6 +20,9 @@ namespace etendue::viewer {
 
 class Editor;
 
+// Writes the image of a session that renders `document`, with a certificate. The session must not change meanwhile.
+Result<void> write_image_of(render::Session& session, const render::Document& document, const std::string& file);
+
 struct SavedImage {
   std::string file;
   bool has_state = false;     // the file contains the document (.exr)

@@ -20,6 +20,7 @@
   PANEL(radiosity)     \
   PANEL(surface)       \
   PANEL(lab)           \
+  PANEL(sequence)      \
   PANEL(messages)
 
 namespace etendue::viewer {

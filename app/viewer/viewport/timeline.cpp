@@ -56,6 +56,14 @@ void draw_clip(AppState& state, float width) {
   if (const auto clip = compact_choice(state, parameter->info, width)) set_parameter(state, "scene.clip", *clip, "");
 }
 
+// The range keeps its times.
+void set_frame_rate(AppState& state, int rate) {
+  Playback& playback = state.viewport.playback;
+  for (std::optional<int64_t>* frame : {&playback.first, &playback.last})
+    if (*frame) *frame = **frame * rate / playback.frames_per_second;
+  playback.frames_per_second = rate;
+}
+
 void draw_frame_rate(AppState& state, float width) {
   ParameterInfo info;
   info.name = kFrameRate;
@@ -69,7 +77,36 @@ void draw_frame_rate(AppState& state, float width) {
   info.default_value = std::to_string(state.viewport.playback.frames_per_second);
   ImGui::SameLine();
   if (const auto chosen = compact_choice(state, info, width))
-    state.viewport.playback.frames_per_second = std::stoi(std::get<std::string>(*chosen));
+    set_frame_rate(state, std::stoi(std::get<std::string>(*chosen)));
+}
+
+double time_of(const AppState& state, int64_t frame) {
+  return static_cast<double>(frame) / state.viewport.playback.frames_per_second;
+}
+
+// The seconds that are played: the whole clip, or the frames of the range.
+struct TimeRange {
+  double begin = 0, end = 0;
+};
+TimeRange time_range(const AppState& state) {
+  const auto duration = static_cast<double>(scene::animation_duration(*state.document().scene));
+  const Playback& playback = state.viewport.playback;
+  const render::FrameRange frames = playback_range(state);
+  return {.begin = playback.first ? time_of(state, frames.first) : 0,
+          .end = playback.last ? std::min(time_of(state, frames.end), duration) : duration};
+}
+
+// Marks the range on the slider that was drawn last.
+void draw_range(const AppState& state) {
+  const Playback& playback = state.viewport.playback;
+  if (!playback.first && !playback.last) return;
+  const auto duration = static_cast<double>(scene::animation_duration(*state.document().scene));
+  const TimeRange range = time_range(state);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const auto x_of = [&](double time) { return min.x + (max.x - min.x) * static_cast<float>(time / duration); };
+  const float height = std::max(2.0f, 0.12f * ImGui::GetFontSize());
+  ImGui::GetWindowDrawList()->AddRectFilled({x_of(range.begin), max.y - height}, {x_of(range.end), max.y},
+                                            ImGui::GetColorU32(state.ui.theme.accent));
 }
 
 // Waits for the full resolution, but not longer than kMaxStep.
@@ -101,17 +138,40 @@ void advance_playback(AppState& state, float seconds) {
   }
   playback.waiting += static_cast<double>(seconds);
   if (playback.waiting < kMinStep || !image_is_on_screen(state)) return;
-  const scene::Scene& scene = *state.document().scene;
-  const float next = scene.time + static_cast<float>(playback.waiting);
+  const TimeRange range = time_range(state);
+  const double length = std::max(range.end - range.begin, kMinStep);
+  const double elapsed = double{state.document().scene->time} + playback.waiting - range.begin;
   playback.waiting = 0;
-  set_time(state, std::fmod(next, scene::animation_duration(scene)));
+  // A time before the range continues at its start.
+  set_time(state, static_cast<float>(range.begin + std::fmod(std::max(elapsed, 0.0), length)));
+}
+
+render::FrameRange playback_range(const AppState& state) {
+  const Playback& playback = state.viewport.playback;
+  const int64_t last = last_frame(state);
+  const int64_t first = std::clamp<int64_t>(playback.first.value_or(0), 0, last);
+  const int64_t end = std::clamp<int64_t>(playback.last.value_or(last), first, last) + 1;
+  return {static_cast<uint32_t>(first), static_cast<uint32_t>(end)};
+}
+
+void start_range_here(AppState& state) {
+  Playback& playback = state.viewport.playback;
+  playback.first = present_frame(state);
+  if (playback.last && *playback.last < *playback.first) playback.last.reset();
+}
+
+void end_range_here(AppState& state) {
+  Playback& playback = state.viewport.playback;
+  playback.last = present_frame(state);
+  if (playback.first && *playback.first > *playback.last) playback.first.reset();
 }
 
 void step_frame(AppState& state, int step) {
   state.viewport.playback.is_playing = false;
-  const int64_t count = last_frame(state) + 1;
-  const int64_t frame = ((present_frame(state) + step) % count + count) % count;
-  set_time(state, static_cast<float>(static_cast<double>(frame) / state.viewport.playback.frames_per_second));
+  const render::FrameRange range = playback_range(state);
+  const auto count = static_cast<int64_t>(range.count()), first = static_cast<int64_t>(range.first);
+  const int64_t frame = first + ((present_frame(state) - first + step) % count + count) % count;
+  set_time(state, static_cast<float>(time_of(state, frame)));
 }
 
 void draw_timeline(AppState& state) {
@@ -143,6 +203,7 @@ void draw_timeline(AppState& state) {
   ImGui::SetNextItemWidth(-em * (is_narrow ? 7 : 12));
   const bool moved = ImGui::SliderFloat("##time", &time, 0, duration, "");
   state.ui.items.add(kTimeSlider);
+  draw_range(state);
   if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which the animations of the file are evaluated");
   if (moved) {
     playback.is_playing = false;

@@ -23,8 +23,10 @@ void read_part(Input input) {
   const MemoryFile file(input);
   const auto info = render::read_part_info(file.path());
   if (!info || info->width != kWidth || info->height != kHeight) return;
+  const auto part = render::load_part(file.path(), *info);
+  if (!part) return;
   render::PartialSamples samples = no_samples();
-  if (!render::add_part(file.path(), *info, samples)) return;
+  render::add_part(*part, *info, samples);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       require(samples.film.samples(x, y) <= 2, "a pixel has too many samples");

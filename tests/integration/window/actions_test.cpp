@@ -50,6 +50,8 @@ const std::set<std::string> kLeftOut{
     "animation.play",  // viewer.FirstView.AnimationsPlayWithoutEditingTheScene
     "view.clear-region",  // viewer.Viewer.RegionReceivesTheSamplesUntilItIsCleared
     "animation.previous-frame", "animation.next-frame",  // viewer.Viewer.TimelineStepsByFramesAndChoosesClips
+    "animation.range-start", "animation.range-end", "animation.clear-range",  // viewer.Sequence.AnimationHasTheFramesOfTheRange
+    "sequence.stop",  // viewer.Sequence.StoppingKeepsCompleteImagesAndContinuesTheRendering
 };
 
 // What makes an action enabled in the Cornell box: other actions; "image", a click on a surface; "shift+image", another one;

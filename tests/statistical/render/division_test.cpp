@@ -74,8 +74,9 @@ fs::path stored(const fs::path& file, const render::PartialSamples& samples, con
 void add_file(const fs::path& file, render::PartialSamples& samples) {
   const auto info = render::read_part_info(file);
   ASSERT_TRUE(info) << info.error().message;
-  const auto added = add_part(file, *info, samples);
-  ASSERT_TRUE(added) << added.error().message;
+  const auto part = render::load_part(file, *info);
+  ASSERT_TRUE(part) << part.error().message;
+  render::add_part(*part, *info, samples);
 }
 
 void expect_same_image(const film::Film& a, const film::Film& b, const std::string& what) {
