@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "bench/alternatives.h"
 #include "bench/external_renderer.h"
 #include "bsdf/bsdf_model.h"
 #include "render/incompatibility.h"
@@ -22,13 +23,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 constexpr std::string_view kExternal = "external:";
 
-// The parts between commas that are not inside double quotes.
+// The parts between commas that are neither inside double quotes nor inside braces.
 std::vector<std::string> split_outside_quotes(const std::string& text) {
   std::vector<std::string> list(1);
-  bool is_quoted = false;
+  bool is_quoted = false, is_alternative = false;
   for (const char c : text) {
     is_quoted ^= c == '"';
-    if (c == ',' && !is_quoted)
+    if (c == '{' || c == '}') is_alternative = c == '{';
+    if (c == ',' && !is_quoted && !is_alternative)
       list.emplace_back();
     else
       list.back() += c;
@@ -36,12 +38,13 @@ std::vector<std::string> split_outside_quotes(const std::string& text) {
   return list;
 }
 
-// Splits a list at its commas. Method names begin with a letter; a piece that does not continues the value in front of
-// its comma, as in bdpt:without=1,*.
+// Splits a list at its commas. Method names begin with a letter or a brace; a piece that does not continues the value in
+// front of its comma, as in bdpt:without=1,*.
 std::vector<std::string> split_methods(const std::string& list) {
   std::vector<std::string> methods;
   for (const std::string& piece : split_outside_quotes(list)) {
-    const bool begins_method = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
+    const bool begins_method =
+        piece.empty() || piece[0] == '{' || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
     if (begins_method || methods.empty())
       methods.push_back(piece);
     else
@@ -146,8 +149,18 @@ Result<MethodSpec> parse_method(const std::string& text, const render::Document&
 }
 
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base) {
-  std::vector<MethodSpec> methods;
+  std::vector<std::string> texts;
   for (const auto& text : split_methods(list)) {
+    if (text.starts_with(kExternal)) {
+      texts.push_back(text);
+      continue;
+    }
+    const auto alternatives = expand_alternatives(text);
+    if (!alternatives) return usage_error("--methods: " + alternatives.error().message);
+    texts.insert(texts.end(), alternatives->begin(), alternatives->end());
+  }
+  std::vector<MethodSpec> methods;
+  for (const auto& text : texts) {
     if (text.empty()) continue;
     auto method = text.starts_with(kExternal) ? parse_external(text, base) : parse_integrator(text, base);
     if (!method) return method.error();

@@ -25,7 +25,7 @@ struct MethodSpec {
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base);
 
 // Parses a list, as "path:sampler=sobol,path-pure:max-depth=3,auto:allow=consistent". Commas inside double quotes do not
-// separate methods. Only lists may contain the automatic choice, and other renderers, because sessions and other files
+// separate methods, and those inside braces separate alternatives (bench/alternatives.h). Only lists may contain the automatic choice, and other renderers, because sessions and other files
 // must not name programs to run. Usage errors: an unknown name, a value out of range, a setting that changes the image
 // itself (size, camera, scene, seed), a method given twice, and an empty list.
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base);

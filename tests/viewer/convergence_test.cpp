@@ -125,7 +125,6 @@ TEST_F(ConvergencePanel, MethodsOfTheListGetEqualSamples) {
       small(),
       json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 6),
                    set("compare.repeats", 2), set("compare.integrator", "path-pure"), set("compare.sampler", "sobol"),
-                   click("compare.add"), click("compare.add"), click("compare.remove.1"), click("compare.start"),
                    kAtRest, file_step("state", path("s.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto contest = state("s.json")["contest"];
@@ -155,6 +154,34 @@ TEST_F(ConvergencePanel, EditOfTheSceneStopsTheComparisonAndKeepsTheCurves) {
   EXPECT_FALSE(edited["paused"]);
   EXPECT_EQ(edited["comparison"]["mode"], "off");
   EXPECT_TRUE(state("again.json")["contest"]["up_to_date"]);
+}
+
+// Three methods besides the two proposals, for an equal number of samples. A click on the last one uses it.
+TEST_F(ConvergencePanel, ParetoChartOffersItsMethods) {
+  json steps = small(1);
+  for (const json& step : {click("panel.convergence"),
+                           set("compare.methods", "path-pure,path:path.roulette-start={2,8}"),
+                           set("compare.rule", "samples"),
+                           set("compare.samples", 4),
+                           set("compare.repeats", 2),
+                           set("compare.chart-type", "pareto"),
+                           click("compare.start"),
+                           kAtRest,
+                           click("compare.point.4"),
+                           {{"do", "wait"}, {"spp", 1}},
+                           file_step("state", path("used.json")),
+                           set("compare.methods", "{path,unknown}"),
+                           file_step("state", path("refused.json"))})
+    steps.push_back(step);
+  ASSERT_EQ(run(steps, "cornell", 1280, 900), 0);
+  const json used = state("used.json");
+  ASSERT_EQ(used["contest"]["methods"].size(), 5U) << used["contest"];
+  EXPECT_EQ(used["parameters"]["path.roulette-start"], 8);
+  EXPECT_EQ(used["undo"], "Method");
+  const json errors = state("refused.json")["errors"];
+  ASSERT_EQ(errors.size(), 1U) << errors;
+  EXPECT_NE(errors[0].get<std::string>().find("unknown"), std::string::npos) << errors;
+  EXPECT_EQ(state("refused.json")["contest"]["methods"].size(), 5U);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/method_spec.h"
 #include "integrator/integrator.h"
 #include "viewer/actions/action.h"
 #include "viewer/panels/convergence_plot.h"
@@ -184,7 +185,7 @@ class ConvergencePanel final : public Panel {
     task_.propose_methods(state.document());
     const float em = ImGui::GetFontSize();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float list_width = std::min(std::max(width * 0.46f, em * 27), width * 0.62f);
+    const float list_width = std::min(std::max(width * 0.46f, em * 30), width * 0.62f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.4f, em * 0.25f});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em * 0.4f, em * 0.1f});
     ImGui::BeginChild("##list", {list_width, 0});
@@ -197,7 +198,7 @@ class ConvergencePanel final : public Panel {
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("##chart");
-    draw_convergence_chart(state.ui, task_);
+    if (const auto chosen = draw_convergence_chart(state.ui, task_)) use_method(state, task_.result()->methods[*chosen].name);
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
   }
@@ -215,7 +216,8 @@ class ConvergencePanel final : public Panel {
             {"compare.a.N", "A", "Shows the image of method N to the left of the divider"},
             {"compare.b.N", "B", "Shows the image of method N to the right of the divider"},
             {"compare.remove.N", "Remove", "Removes method N from the list"},
-            {"compare.chart", "Chart", "The error curves. Move the pointer over the chart to read values"}};
+            {"compare.chart", "Chart", "The error curves. Move the pointer over the chart to read values"},
+            {"compare.point.N", "Point", "Method N in the Pareto chart. A click uses the method"}};
   }
 
   void add_actions(ActionList& actions) override;
@@ -337,15 +339,32 @@ class ConvergencePanel final : public Panel {
     if (ImGui::IsItemHovered()) tooltip(state.ui, "Adds this method to the list");
     ImGui::SameLine();
     action_button(state, "compare.add-current");
+    const auto methods = parameter_widget(state, describe(parameters.added));
+    if (!methods) return;
+    if (const auto added = task_.add_methods(std::get<std::string>(*methods), state.document()); !added)
+      state.notices.add_error(added.error().message);
   }
 
   void draw_chart_parameters(AppState& state) {
     const float em = ImGui::GetFontSize();
+    compact_parameter(state, task_.parameters.chart, em * 8);
+    ImGui::SameLine();
     compact_parameter(state, task_.parameters.error, em * 9.2f);
     ImGui::SameLine();
     compact_parameter(state, task_.parameters.axis, em * 7.6f);
-    ImGui::SameLine();
+    same_line_if_fits(em * 8);
     action_button(state, "compare.export");
+  }
+
+  // The path filter is not part of a method.
+  static void use_method(AppState& state, const std::string& spec) {
+    const auto method = bench::parse_method(spec, state.document());
+    if (!method) return state.notices.add_error(method.error().message);
+    render::Document changed = state.document();
+    std::string paths = std::move(changed.method.paths);
+    changed.method = method->document.method;
+    changed.method.paths = std::move(paths);
+    state.edit(std::move(changed), "Method");
   }
 
   void draw_reference_status(const UiContext& ui) const {

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "metrics/pareto_chart.h"
+#include "viewer/state/document_info.h"
 #include "viewer/tasks/convergence_task.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
 #include "viewer/widgets/value_text.h"
 #include "viewer/widgets/ui_context.h"
@@ -195,22 +199,66 @@ void draw_outdated_label(const UiContext& ui, const ImVec2& corner, const metric
                                       "outdated: before the last edit");
 }
 
+std::string pareto_text(const ConvergenceTask& task, const metrics::ParetoPoint& point,
+                        const metrics::ChartOptions& options) {
+  const bool over_time = options.abscissa == metrics::Abscissa::seconds;
+  return method_label(task.result()->methods[point.method].name) + "\n" + metrics::short_number(point.x) +
+         (over_time ? " s, " : " spp, ") + film::error_text(options.measure, point.error) +
+         (point.is_best ? "\nNo method is better in both" : "") + "\nClick to use this method";
+}
+
+// Buttons on the dots. Returns the method that was clicked.
+std::optional<size_t> draw_points(UiContext& ui, const ConvergenceTask& task, const std::vector<MethodCurves>& curves,
+                                  const metrics::ChartOptions& options, const ImVec2& corner) {
+  const metrics::ChartFrame frame = metrics::pareto_frame(curves, options);
+  const float reach = 7 * ui.scale;
+  std::optional<size_t> chosen;
+  for (const metrics::ParetoPoint& p : metrics::pareto_points(curves, options.abscissa, options.measure)) {
+    const ImVec2 at{corner.x + static_cast<float>(frame.x.position(p.x)) * ui.scale,
+                    corner.y + static_cast<float>(frame.y.position(p.error)) * ui.scale};
+    ImGui::SetCursorScreenPos({at.x - reach, at.y - reach});
+    const std::string number = std::to_string(p.method);
+    if (ImGui::InvisibleButton(("##point" + number).c_str(), {2 * reach, 2 * reach})) chosen = p.method;
+    ui.items.add("compare.point." + number);
+    if (!ImGui::IsItemHovered()) continue;
+    ImGui::GetWindowDrawList()->AddCircle(at, reach, ImGui::GetColorU32(ui.theme.text));
+    tooltip(ui, pareto_text(task, p, options));
+  }
+  return chosen;
+}
+
+// Returns the method that was clicked.
+std::optional<size_t> draw_pareto_chart(UiContext& ui, const ConvergenceTask& task,
+                                        const std::vector<MethodCurves>& curves, const metrics::ChartOptions& options,
+                                        const ImVec2& corner) {
+  paint(*ImGui::GetWindowDrawList(), metrics::pareto_chart(curves, options), corner, ui.scale, ui.fonts.small);
+  if (!task.is_current()) draw_outdated_label(ui, corner, metrics::pareto_frame(curves, options));
+  return draw_points(ui, task, curves, options, corner);
+}
+
 }  // namespace
 
-void draw_convergence_chart(UiContext& ui, const ConvergenceTask& task) {
+std::optional<size_t> draw_convergence_chart(UiContext& ui, const ConvergenceTask& task) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (size.x < 80 || size.y < 60) return;
+  if (size.x < 80 || size.y < 60) return std::nullopt;
   ImGui::InvisibleButton("##plot", size);
+  ImGui::SetItemAllowOverlap();  // the dots of the Pareto chart are buttons
   ui.items.add("compare.chart");
   const bool hovered = ImGui::IsItemHovered();
   const auto curves = task.curves();
   const bool has_points = std::ranges::any_of(curves, [](const MethodCurves& c) { return !c.repeats.empty(); });
-  if (!has_points) return draw_placeholder(ui, task.running(), corner, size);
+  if (!has_points) {
+    draw_placeholder(ui, task.running(), corner, size);
+    return std::nullopt;
+  }
   const metrics::ChartOptions options = panel_chart_options(ui, task, size);
+  if (task.parameters.chart == ConvergenceChart::pareto)
+    return draw_pareto_chart(ui, task, curves, options, corner);
   paint(*ImGui::GetWindowDrawList(), metrics::convergence_chart(curves, options), corner, ui.scale, ui.fonts.small);
   if (!task.is_current()) draw_outdated_label(ui, corner, metrics::chart_frame(curves, options));
   if (hovered) CrossHair(ui, corner, curves, options).draw();
+  return std::nullopt;
 }
 
 }  // namespace etendue::viewer

@@ -36,17 +36,20 @@ std::string csv_of(const bench::LiveBenchmarkSnapshot& snapshot) {
 
 Result<std::string> write_convergence_chart(const std::string& file, const bench::LiveBenchmarkSnapshot& snapshot,
                                             std::span<const metrics::MethodCurves> curves,
-                                            const metrics::ChartOptions& options) {
+                                            const metrics::ChartOptions& options, bool is_pareto) {
   const std::string extension = lower_extension(file);
   Result<void> written;
+  const auto chart = [&] {
+    return is_pareto ? metrics::pareto_chart(curves, options) : metrics::convergence_chart(curves, options);
+  };
   if (extension == ".csv") {
     const std::string text = csv_of(snapshot);
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".svg") {
-    const std::string text = metrics::to_svg(metrics::convergence_chart(curves, options));
+    const std::string text = metrics::to_svg(chart());
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".png") {
-    const auto drawing = metrics::convergence_chart(curves, options);
+    const auto drawing = chart();
     written = image::write_png(file, drawing.width, drawing.height, metrics::rasterize(drawing));
   } else {
     return usage_error(file + ": '" + extension + "' is not a chart format; use .svg, .png or .csv");

@@ -37,6 +37,15 @@ void ConvergenceTask::add_method(const std::string& spec) {
   if (std::ranges::find(methods, spec) == methods.end()) methods.push_back(spec);
 }
 
+Result<void> ConvergenceTask::add_methods(const std::string& list, const render::Document& document) {
+  const auto methods = bench::parse_methods(list, document);
+  if (!methods) return methods.error();
+  for (const bench::MethodSpec& method : *methods)
+    if (auto single = bench::parse_method(method.name, document); !single) return single.error();
+  for (const bench::MethodSpec& method : *methods) add_method(method.name);
+  return {};
+}
+
 void ConvergenceTask::remove_method(size_t index) {
   parameters.methods.erase(parameters.methods.begin() + static_cast<std::ptrdiff_t>(index));
   for (size_t* side : {&parameters.a, &parameters.b})
@@ -191,8 +200,9 @@ std::vector<metrics::MethodCurves> ConvergenceTask::curves() const {
 
 void ConvergenceTask::save_chart(const TaskContext& context, const std::string& file) {
   if (!snapshot_) return;
-  const auto write = [file, snapshot = snapshot_, curves = curves(), options = chart_options()] {
-    return write_convergence_chart(file, *snapshot, curves, options);
+  const bool is_pareto = parameters.chart == ConvergenceChart::pareto;
+  const auto write = [file, snapshot = snapshot_, curves = curves(), options = chart_options(), is_pareto] {
+    return write_convergence_chart(file, *snapshot, curves, options, is_pareto);
   };
   export_.start(write, context.wake);
 }

@@ -16,11 +16,21 @@
 #include "viewer/tasks/background_task.h"
 #include "viewer/tasks/task.h"
 
+namespace etendue::viewer {
+
+enum class ConvergenceChart : uint8_t { curves, pareto };
+
+}  // namespace etendue::viewer
+
 namespace etendue {
 
 template <>
 struct Options<bench::Rule> {
   static constexpr std::array<Option, 2> kOptions{{{"time", "Equal time"}, {"samples", "Equal samples"}}};
+};
+template <>
+struct Options<viewer::ConvergenceChart> {
+  static constexpr std::array<Option, 2> kOptions{{{"curves", "Error curves"}, {"pareto", "Pareto front"}}};
 };
 template <>
 struct Options<metrics::Abscissa> {
@@ -63,7 +73,17 @@ class ConvergenceTask final : public Task {
                                      "Measure of the chart and the table. RMSE: in the unit of the image. Relative: "
                                      "relative to the reference. Displayed: after exposure, tone mapping and sRGB "
                                      "encoding"};
-    auto all() { return std::tie(rule, seconds, samples, repeats, axis, error); }
+    Choice<ConvergenceChart> chart{"compare.chart-type", "Chart", ConvergenceChart::curves,
+                                   "Error curves, or the ends of the curves as points: error against cost, with the "
+                                   "methods that no other one beats in both"};
+    Text added{"compare.methods", "Methods", "",
+               "Methods to add: INTEGRATOR:NAME=VALUE, several separated by commas. {a,b} stands for alternatives, as in "
+               "{path,bdpt}:sampler={sobol,random}",
+               [](std::string_view) { return Result<void>(); },
+               {{"{path,bdpt}:sampler={sobol,random}", "Two integrators with two samplers"},
+                {"path:path.roulette-start={1,2,4,8}", "Start of Russian roulette"},
+                {"path:path.heuristic={constant,balance,power,maximum}", "Heuristics of MIS"}}};
+    auto all() { return std::tie(rule, seconds, samples, repeats, axis, error, chart, added); }
   };
   Parameters parameters;
 
@@ -71,6 +91,8 @@ class ConvergenceTask final : public Task {
   void propose_methods(const render::Document& document);
   // Adds a method that is not on the list yet.
   void add_method(const std::string& spec);
+  // Adds the methods of a list (bench::parse_methods). An error if one of them is not valid; then none is added.
+  Result<void> add_methods(const std::string& list, const render::Document& document);
   void remove_method(size_t index);
 
   // Starts a new comparison of the methods on the list. A method that cannot be parsed is an error.
