@@ -5,21 +5,13 @@
 
 #include "base/file.h"
 #include "scene/builtin/shapes.h"
+#include "scene/builtin/textured_shapes.h"
 #include "scene/coordinate_range.h"
 
 namespace etendue::scene {
 namespace {
 
-constexpr int kSphereRings = 48, kDiskSegments = 96;
 constexpr size_t kMaxNameLength = 1000;
-
-std::shared_ptr<const Mesh> shape_mesh(const std::string& type) {
-  if (type == "sphere") return sphere(1, kSphereRings, false);
-  if (type == "plane") return quad(1);
-  if (type == "box") return cube(1, false);
-  if (type == "disk") return disk(1, kDiskSegments);
-  return nullptr;
-}
 
 Error impossible_edit(const std::string& message) { return usage_error(message); }
 
@@ -81,7 +73,7 @@ Result<Scene> with_camera(Scene scene, const StructuralEdit& edit) {
 
 Result<Scene> with_shape(Scene scene, const StructuralEdit& edit) {
   Primitive primitive;
-  primitive.mesh = shape_mesh(edit.type);
+  primitive.mesh = textured_shape(edit.type);
   if (!primitive.mesh) return impossible_edit("'" + edit.type + "' is not a shape");
   scene.materials.push_back(new_material(edit.name));
   primitive.material = static_cast<int>(scene.materials.size()) - 1;
