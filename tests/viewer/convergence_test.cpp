@@ -125,6 +125,7 @@ TEST_F(ConvergencePanel, MethodsOfTheListGetEqualSamples) {
       small(),
       json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 6),
                    set("compare.repeats", 2), set("compare.integrator", "path-pure"), set("compare.sampler", "sobol"),
+                   click("compare.add"), click("compare.add"), click("compare.remove.1"), click("compare.start"),
                    kAtRest, file_step("state", path("s.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto contest = state("s.json")["contest"];
