@@ -36,8 +36,8 @@ uint64_t read_state(const render::Session& session) {
 TEST(SessionThreads, ConcurrentEditsReadsAndCopies) {
   std::atomic<int> wakes{0};
   std::atomic<bool> over{false};
-  uint64_t seen = 0;
-  size_t copied = 0;
+  std::atomic<uint64_t> seen{0};
+  std::atomic<size_t> copied{0};
   {
     render::Session session({.threads = 3, .interactive = true, .publish_interval = 0.005});
     session.on_update([&] { ++wakes; });
@@ -47,7 +47,9 @@ TEST(SessionThreads, ConcurrentEditsReadsAndCopies) {
     std::thread copier([&] {
       while (!over) copied += session.film_copy().pixels().size();
     });
-    edit(session, 60);
+    // On a busy machine, the other threads may need more edits than one round has.
+    do edit(session, 60);
+    while (seen == 0 || copied == 0);
     over = true;
     looker.join();
     copier.join();
@@ -60,8 +62,6 @@ TEST(SessionThreads, ConcurrentEditsReadsAndCopies) {
     session.restart();  // and is destroyed while it renders
   }
   EXPECT_GT(wakes.load(), 0);
-  EXPECT_GT(seen, 0U);
-  EXPECT_GT(copied, 0U);
 }
 
 TEST(SessionThreads, FramesHaveTheVersionOfTheirDocument) {
