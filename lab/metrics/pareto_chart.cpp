@@ -1,6 +1,7 @@
 #include "metrics/pareto_chart.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace etendue::metrics {
 namespace {
@@ -41,6 +42,16 @@ Text label_of(const std::string& name, const Point& dot, const ChartFrame& frame
           .anchor = to_the_left ? Anchor::right : Anchor::left};
 }
 
+// Whether two labels would cover each other. Widths are estimates.
+bool overlap(const Text& a, const Text& b) {
+  constexpr double kLetterWidth = 7;
+  const auto left = [](const Text& t) {
+    return t.anchor == Anchor::right ? t.at.x - kLetterWidth * static_cast<double>(t.text.size()) : t.at.x;
+  };
+  const auto right = [&](const Text& t) { return left(t) + kLetterWidth * static_cast<double>(t.text.size()); };
+  return std::abs(a.at.y - b.at.y) < kLabelSize && left(a) < right(b) && left(b) < right(a);
+}
+
 }  // namespace
 
 std::vector<ParetoPoint> pareto_points(std::span<const MethodCurves> methods, Abscissa abscissa,
@@ -67,12 +78,16 @@ Drawing pareto_chart(std::span<const MethodCurves> methods, const ChartOptions& 
   Drawing drawing = convergence_chart(ends, without_extent(options));
   const ChartFrame frame = chart_frame(ends, without_extent(options));
   const auto front = front_of(pareto_points(methods, options.abscissa, options.measure));
+  std::vector<Text> labels;
   Polyline line{.points = {}, .color = options.palette.secondary_text, .width = 1.5};
   for (const ParetoPoint& p : front) {
     const Point at{frame.x.position(p.x), frame.y.position(p.error)};
     if (!line.points.empty()) line.points.push_back({at.x, line.points.back().y});
     line.points.push_back(at);
-    drawing.shapes.emplace_back(label_of(methods[p.method].name, at, frame, options.palette));
+    const Text label = label_of(methods[p.method].name, at, frame, options.palette);
+    if (std::ranges::any_of(labels, [&](const Text& other) { return overlap(label, other); })) continue;
+    labels.push_back(label);
+    drawing.shapes.emplace_back(label);
   }
   if (line.points.size() > 1) drawing.shapes.emplace_back(std::move(line));
   return drawing;

@@ -21,7 +21,7 @@ std::vector<ParetoPoint> pareto_points(std::span<const MethodCurves> methods, Ab
                                        film::ErrorMeasure measure);
 
 // Axes and guides as in convergence_chart: methods on a line of slope -1/2 have the same efficiency. The names of the best
-// methods are next to their dots.
+// methods are next to their dots, as far as they do not cover each other.
 Drawing pareto_chart(std::span<const MethodCurves> methods, const ChartOptions& options);
 ChartFrame pareto_frame(std::span<const MethodCurves> methods, const ChartOptions& options);
 
