@@ -81,13 +81,13 @@ int main(int argc, char** argv) {
     std::printf("%4d x %-5d %12.1f %12.1f\n", width, height, costs.bytes * 1e-6, costs.seconds * 1e3);
   }
   if (argc > 2) costs.seconds = 1e-3 * std::atof(argv[2]);
-  std::printf("\n%-24s %6s %6s %9s %8s %8s %8s %9s %8s %6s %6s\n", "1920 x 1080", "ranks", "tree", "seconds", "used",
+  std::printf("\n%-24s %6s %6s %9s %8s %8s %8s %9s %8s %6s %6s\n", "1920 x 1080", "ranks", "coll.", "seconds", "used",
               "merging", "link", "GB", "repeated", "dead", "lost");
   std::vector<metrics::FunctionCurve> curves{
-      {.name = "tree", .points = {}},
-      {.name = "rank 0 alone", .style = metrics::CurveStyle::dashed, .points = {}},
-      {.name = "tree, with failures", .points = {}},
-      {.name = "rank 0 alone, with failures", .style = metrics::CurveStyle::dashed, .points = {}}};
+      {.name = "with collectors", .points = {}},
+      {.name = "without collectors", .style = metrics::CurveStyle::dashed, .points = {}},
+      {.name = "with collectors, failures", .points = {}},
+      {.name = "without collectors, failures", .style = metrics::CurveStyle::dashed, .points = {}}};
   for (const bool uses_collectors : {false, true})
     for (const int ranks : {1, 4, 16, 64, 256, 1000}) simulate_jobs(ranks, costs, uses_collectors, curves);
   if (argc < 2) return 0;

@@ -109,9 +109,8 @@ Result<void> write_results(render::Session& session, const render::Document& doc
   }
   if (files.path_layers)
     for (image::Layer& layer : render::layers_of(*files.path_layers)) rendering.layers.push_back(std::move(layer));
-  const bool stores_certificate = !(files.out.ends_with(".png") || files.out.ends_with(".hdr"));
   // The session renders other documents for the certificate, so its film and model are copied before.
-  if (!files.json.empty() || stores_certificate)
+  if (!files.json.empty() || render::stores_certificate(files.out))
     rendering.certificate = certificate_of(session, document, status, film, files.threads);
   if (auto ok = render::write_image(files.out, rendering); !ok) return ok;
   if (!files.png.empty())

@@ -25,6 +25,11 @@ Result<void> check_output_name(const std::string& path) {
   return check_writable(path);
 }
 
+bool stores_certificate(const std::string& path) {
+  const auto format = image::require_writer(path);
+  return format && !(*format)->write_linear && !(*format)->write_display;
+}
+
 Result<void> write_image(const std::string& path, const Rendering& r) {
   const auto format = image::require_writer(path);
   if (!format) return format.error();

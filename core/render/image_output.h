@@ -33,6 +33,9 @@ struct Rendering {
 // .png file also holds the state.
 Result<void> write_image(const std::string& path, const Rendering& rendering);
 
+// Whether files of this format hold the certificate, which takes time to measure.
+bool stores_certificate(const std::string& path);
+
 // Writes a denoised image, three numbers per pixel, with the settings of the rendering. It has no variance, no certificate
 // and no layers, because its error is not known; the attribute kDenoisedAttribute marks it.
 inline constexpr const char* kDenoisedAttribute = "etendue:denoised";

@@ -255,13 +255,15 @@ class Chart {
       name +=
           ", median of " + std::to_string(complete) + " of " + std::to_string(methods_[i].repeats.size()) + " repeats";
     add_text(margins_.left + 38, y + 4, name);
-    add_text(right(), y + 4, slope_text(methods_[i]), Anchor::right, options_.palette.secondary_text);
+    const std::string text = bands_[i].empty() ? "no error to draw" : slope_text(methods_[i]);
+    add_text(right(), y + 4, text, Anchor::right, options_.palette.secondary_text);
   }
 
+  // Empty if one point does not determine a slope.
   std::string slope_text(const MethodCurves& method) const {
     const Estimate slope =
         slope_of(complete_repeats(method, options_.abscissa), options_.abscissa, options_.noise, options_.measure);
-    if (!slope.known) return "no error to draw";
+    if (!slope.known) return "";
     char text[64];
     if (slope.degrees > 0)
       std::snprintf(text, sizeof text, "slope %.3f \u00b1 %.3f", slope.value, slope.standard_error);

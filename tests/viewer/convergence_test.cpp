@@ -168,6 +168,7 @@ TEST_F(ConvergencePanel, ParetoChartOffersItsMethods) {
                            set("compare.chart-type", "pareto"),
                            click("compare.start"),
                            kAtRest,
+                           set("render.integrator", "auto"),  // which the method replaces
                            click("compare.point.4"),
                            {{"do", "wait"}, {"spp", 1}},
                            file_step("state", path("used.json")),
@@ -177,6 +178,7 @@ TEST_F(ConvergencePanel, ParetoChartOffersItsMethods) {
   ASSERT_EQ(run(steps, "cornell", 1280, 900), 0);
   const json used = state("used.json");
   ASSERT_EQ(used["contest"]["methods"].size(), 5U) << used["contest"];
+  EXPECT_EQ(used["parameters"]["render.integrator"], "path");
   EXPECT_EQ(used["parameters"]["path.roulette-start"], 8);
   EXPECT_EQ(used["undo"], "Method");
   const json errors = state("refused.json")["errors"];

@@ -38,7 +38,7 @@ TEST_F(Sequence, TurntableHasNumberedFilesThatStartWithTheView) {
 TEST_F(Sequence, FilesThatExistAreReplacedOnlyOnRequest) {
   std::ofstream(path("turn.01.png")) << "kept";
   const auto start = joined(small(2), joined(turntable(2, "turn.##.png"),
-                                             json::array({file_step("state", path("refused.json"))})));
+                                             json::array({wait_for("sequence"), file_step("state", path("refused.json"))})));
   ASSERT_EQ(run(start, "cornell"), 0);
   const json errors = state("refused.json")["errors"];
   ASSERT_EQ(errors.size(), 1U) << errors;
@@ -95,6 +95,10 @@ TEST_F(Sequence, AnimationHasTheFramesOfTheRange) {
                                                    click("animation.range-end"),
                                                    key("."),  // the first frame follows the last one
                                                    file_step("state", path("range.json")),
+                                                   key("p"),
+                                                   {{"do", "wait"}, {"seconds", 0.7}},  // several turns of the range
+                                                   key("p"),
+                                                   file_step("state", path("played.json")),
                                                    click("panel.sequence"),
                                                    set("sequence.samples", 1),
                                                    click("sequence.start"),
@@ -109,6 +113,9 @@ TEST_F(Sequence, AnimationHasTheFramesOfTheRange) {
   EXPECT_EQ(range["sequence"]["first"], 1);
   EXPECT_EQ(range["sequence"]["end"], 3);
   EXPECT_EQ(range["edited"], false);
+  const double played = state("played.json")["parameters"]["scene.time"];
+  EXPECT_GE(played, 1.0 / 24 - 1e-6);
+  EXPECT_LT(played, 3.0 / 24);
   EXPECT_TRUE(fs::exists(path("fox.0001.png")));
   EXPECT_TRUE(fs::exists(path("fox.0002.png")));
   EXPECT_FALSE(fs::exists(path("fox.0000.png")));

@@ -32,19 +32,9 @@ std::string snapshot_name(const AppState& state) {
 }
 
 void request_image_export(AppState& state) {
-  std::vector<std::string> extensions, formats;
-  for (const image::ImageFormat* format : image::image_formats())
-    if (format->can_write()) {
-      extensions.emplace_back(format->extensions.front());
-      formats.emplace_back(format->label);
-    }
   state.files.request =
-      FileRequest{.title = "Export image",
-                  .extensions = std::move(extensions),
-                  .formats = std::move(formats),
-                  .saves = true,
-                  .name = snapshot_name(state) + ".png",
-                  .accept = [&state](const std::string& file) { state.files.image_export->request(file); }};
+      image_file_request("Export image", snapshot_name(state) + ".png",
+                         [&state](const std::string& file) { state.files.image_export->request(file); });
 }
 
 // Asks for a file name only if there is no folder for snapshots.

@@ -17,4 +17,7 @@ struct FileRequest {
   std::function<void(const std::string& path)> accept;
 };
 
+// A request for the name of an image file in one of the formats that can be written.
+FileRequest image_file_request(std::string title, std::string name, std::function<void(const std::string&)> accept);
+
 }  // namespace etendue::viewer

@@ -31,9 +31,8 @@ struct Copies {
 
 Result<void> write_copies(const std::string& file, const render::Session& session, const render::Document& document,
                           Copies copies) {
-  const std::string extension = lower_extension(file);
   std::string certificate;
-  if (extension != ".png" && extension != ".hdr")
+  if (render::stores_certificate(file))
     certificate = certificate_of(session, document,
                                  advisor::statistics_of(copies.film, copies.status, session.model(), 0));
   return render::write_image(file, {document, copies.film, copies.status.samples, std::move(certificate),

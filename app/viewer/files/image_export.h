@@ -20,7 +20,8 @@ namespace etendue::viewer {
 
 class Editor;
 
-// Writes the image of a session that renders `document`, with a certificate. The session must not change meanwhile.
+// Writes the image of a session that renders `document`, with a certificate if the format stores one. The session must not
+// change meanwhile.
 Result<void> write_image_of(render::Session& session, const render::Document& document, const std::string& file);
 
 struct SavedImage {

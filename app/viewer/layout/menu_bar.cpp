@@ -64,7 +64,7 @@ void draw_entries(AppState& state, std::span<const Action* const> entries) {
 }
 
 // Moves the entries of a section and those of a submenu to the first of them. Their order is that of registration.
-void gather_submenus(std::vector<const Action*>& entries) {
+void gather_sections(std::vector<const Action*>& entries) {
   const auto gather = [&](auto is_like) {
     for (auto first = entries.begin(); first != entries.end(); ++first)
       std::stable_partition(first + 1, entries.end(), [&](const Action* other) { return is_like(**first, *other); });
@@ -81,7 +81,7 @@ void draw_menu(AppState& state, const char* menu) {
   std::vector<const Action*> entries;
   for (const auto& action : state.actions.all())
     if (action.menu == menu) entries.push_back(&action);
-  gather_submenus(entries);
+  gather_sections(entries);
   std::string group, section;
   for (size_t i = 0; i < entries.size();) {
     const Action& action = *entries[i];

@@ -356,15 +356,10 @@ class ConvergencePanel final : public Panel {
     action_button(state, "compare.export");
   }
 
-  // The path filter is not part of a method.
   static void use_method(AppState& state, const std::string& spec) {
-    const auto method = bench::parse_method(spec, state.document());
+    auto method = bench::parse_method(spec, state.document());
     if (!method) return state.notices.add_error(method.error().message);
-    render::Document changed = state.document();
-    std::string paths = std::move(changed.method.paths);
-    changed.method = method->document.method;
-    changed.method.paths = std::move(paths);
-    state.edit(std::move(changed), "Method");
+    state.edit(std::move(method->document), "Method");
   }
 
   void draw_reference_status(const UiContext& ui) const {

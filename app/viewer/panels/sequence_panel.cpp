@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "image/format.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
 #include "viewer/files/file_names.h"
@@ -58,8 +57,7 @@ class SequencePanel final : public Panel {
     ImGui::BeginChild("##settings", {std::min(kSettingsWidth * em, ImGui::GetContentRegionAvail().x), 0});
     action_button(state, task_.running() ? kStop : kStart);
     parameter_widgets(state, std::tie(kind_));
-    if (is_turntable())
-      parameter_widgets(state, std::tie(images_));
+    if (is_turntable()) parameter_widgets(state, std::tie(images_));
     parameter_widgets(state, std::tie(samples_, replaces_));
     ImGui::EndChild();
     same_line_if_fits(kSettingsWidth * em);
@@ -155,18 +153,9 @@ class SequencePanel final : public Panel {
 
   void request_files(AppState& state) {
     state.panels.open(*this);
-    std::vector<std::string> extensions, formats;
-    for (const image::ImageFormat* format : image::image_formats())
-      if (format->can_write()) {
-        extensions.emplace_back(format->extensions.front());
-        formats.emplace_back(format->label);
-      }
-    state.files.request = FileRequest{.title = "Render sequence; #### in the name stands for the number of the image",
-                                      .extensions = std::move(extensions),
-                                      .formats = std::move(formats),
-                                      .saves = true,
-                                      .name = scene_stem(state.document()) + ".####.png",
-                                      .accept = [this, &state](const std::string& file) { start(state, file); }};
+    state.files.request = image_file_request("Render sequence; #### in the name stands for the number of the image",
+                                             scene_stem(state.document()) + ".####.png",
+                                             [this, &state](const std::string& file) { start(state, file); });
   }
 
   void start(AppState& state, const std::string& file) {

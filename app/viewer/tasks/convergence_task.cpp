@@ -40,6 +40,7 @@ void ConvergenceTask::add_method(const std::string& spec) {
 Result<void> ConvergenceTask::add_methods(const std::string& list, const render::Document& document) {
   const auto methods = bench::parse_methods(list, document);
   if (!methods) return methods.error();
+  // Lists may contain other renderers and the automatic choice, single methods may not.
   for (const bench::MethodSpec& method : *methods)
     if (auto single = bench::parse_method(method.name, document); !single) return single.error();
   for (const bench::MethodSpec& method : *methods) add_method(method.name);

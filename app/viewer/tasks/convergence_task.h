@@ -80,9 +80,9 @@ class ConvergenceTask final : public Task {
                "Methods to add: INTEGRATOR:NAME=VALUE, several separated by commas. {a,b} stands for alternatives, as in "
                "{path,bdpt}:sampler={sobol,random}",
                [](std::string_view) { return Result<void>(); },
-               {{"{path,bdpt}:sampler={sobol,random}", "Two integrators with two samplers"},
-                {"path:path.roulette-start={1,2,4,8}", "Start of Russian roulette"},
-                {"path:path.heuristic={constant,balance,power,maximum}", "Heuristics of MIS"}}};
+               {{"{path,bdpt}:sampler={sobol,random}", "{path,bdpt}:sampler={sobol,random}"},
+                {"path:path.roulette-start={1,2,4,8}", "path:path.roulette-start={1,2,4,8}"},
+                {"path:path.heuristic={constant,balance,power}", "path:path.heuristic={constant,balance,power}"}}};
     auto all() { return std::tie(rule, seconds, samples, repeats, axis, error, chart, added); }
   };
   Parameters parameters;

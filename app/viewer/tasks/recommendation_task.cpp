@@ -108,8 +108,10 @@ void RecommendationTask::apply(Editor& editor, size_t row) const {
   render::Document changed = editor.document();
   // The path filter is not part of the recommendation.
   std::string path_filter = std::move(changed.method.paths);
-  changed.method = result()->methods[row].method.document.method;
+  const render::Document& recommended = result()->methods[row].method.document;
+  changed.method = recommended.method;
   changed.method.paths = std::move(path_filter);
+  changed.automatic = recommended.automatic;
   changed.limits.error = result()->target;
   changed.limits.measure = result()->measure;
   editor.apply(std::move(changed), "Recommended method");

@@ -34,6 +34,14 @@ bool render_image(render::Session& session, const render::Document& document, co
   }
 }
 
+// The first file of the sequence that exists; empty if none does.
+std::string existing_file(const SequenceRequest& request) {
+  std::error_code code;
+  for (uint32_t frame = request.plan.frames.first; frame < request.plan.frames.end; ++frame)
+    if (std::string file = render::frame_file(request.pattern, frame); std::filesystem::exists(file, code)) return file;
+  return "";
+}
+
 void render_sequence(const render::Document& document, const SequenceRequest& request, int threads,
                      const Work::Publisher& publish, const bench::Progress& report) {
   const auto start = SequenceClock::now();
@@ -47,6 +55,9 @@ void render_sequence(const render::Document& document, const SequenceRequest& re
     publish(progress);
   };
   publish(progress);
+  if (!request.replaces)
+    if (const std::string file = existing_file(request); !file.empty())
+      return fail(usage_error(file + " exists; choose another name, or select Replace files"));
   for (uint32_t frame = range.first; frame < range.end; ++frame) {
     auto shown = sequence.at(frame);
     if (!shown) return fail(shown.error());
@@ -62,24 +73,13 @@ void render_sequence(const render::Document& document, const SequenceRequest& re
   }
 }
 
-// The first file of the sequence that exists; empty if none does.
-std::string existing_file(const SequenceRequest& request) {
-  std::error_code code;
-  for (uint32_t frame = request.plan.frames.first; frame < request.plan.frames.end; ++frame)
-    if (std::string file = render::frame_file(request.pattern, frame); std::filesystem::exists(file, code)) return file;
-  return "";
-}
-
 }  // namespace
 
 Result<void> SequenceTask::start(const TaskContext& context, const SequenceRequest& request) {
   stop(context);
   const std::string first = render::frame_file(request.pattern, request.plan.frames.first);
   if (auto known = render::check_output_name(first); !known) return known;
-  if (!request.replaces)
-    if (const std::string file = existing_file(request); !file.empty())
-      return usage_error(file + " exists; choose another name, or select Replace files");
-  context.exclusive.begin({.status = "rendering a sequence", .cancel = [this, context] { stop(context); }});
+  context.exclusive.begin({.status = "rendering images", .cancel = [this, context] { stop(context); }});
   task_.start(
       [document = context.editor.document(), request, threads = context.threads](const Work::Publisher& publish,
                                                                                  const bench::Progress& report) {

@@ -15,9 +15,9 @@ namespace etendue::viewer {
 
 struct SequenceRequest {
   render::SequencePlan plan;
-  int samples = 64;        // per pixel of each image
-  std::string pattern;     // names of the files (render::frame_file)
-  bool replaces = false;   // whether files that exist are replaced
+  int samples = 64;       // per pixel of each image
+  std::string pattern;    // names of the files (render::frame_file)
+  bool replaces = false;  // whether files that exist are replaced
 };
 
 struct SequenceProgress {
@@ -29,7 +29,8 @@ struct SequenceProgress {
 
 class SequenceTask final : public Task {
  public:
-  // An error if the name is not suitable, or if a file exists and is not to be replaced.
+  // An error if the name is not suitable. If a file exists and is not to be replaced, the sequence ends before its first
+  // image.
   Result<void> start(const TaskContext& context, const SequenceRequest& request);
   // The image that is being rendered is discarded; those before stay.
   void stop(const TaskContext& context);

@@ -56,7 +56,7 @@ void draw_clip(AppState& state, float width) {
   if (const auto clip = compact_choice(state, parameter->info, width)) set_parameter(state, "scene.clip", *clip, "");
 }
 
-// The range keeps its times.
+// The range keeps its times, up to the length of a frame.
 void set_frame_rate(AppState& state, int rate) {
   Playback& playback = state.viewport.playback;
   for (std::optional<int64_t>* frame : {&playback.first, &playback.last})

@@ -11,10 +11,10 @@ struct AppState;
 
 struct Playback {
   bool is_playing = false;
-  int frames_per_second = 24;  // of steps by the keyboard
+  int frames_per_second = 24;          // of steps by the keyboard, and of the range
   std::optional<int64_t> first, last;  // the range that is played, frames; empty: from the start, to the end
-  double waiting = 0;     // seconds since the last step of the time
-  float bar_height = 0;   // of the bar on screen, pixels; 0 if there is none
+  double waiting = 0;                  // seconds since the last step of the time
+  float bar_height = 0;                // of the bar on screen, pixels; 0 if there is none
 };
 
 // Whether the scene has animations.

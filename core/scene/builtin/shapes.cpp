@@ -5,12 +5,6 @@
 namespace etendue::scene {
 namespace {
 
-// Embree reads 16 bytes at the last vertex (see Mesh::positions).
-std::shared_ptr<const Mesh> finished(Mesh mesh) {
-  mesh.positions.reserve(mesh.positions.size() + 1);
-  return std::make_shared<const Mesh>(std::move(mesh));
-}
-
 void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d, bool flip) {
   const auto first = static_cast<uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
@@ -24,6 +18,11 @@ void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d, bool flip) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Mesh> padded(Mesh mesh) {
+  mesh.positions.reserve(mesh.positions.size() + 1);
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
 
 Material diffuse(const Rgb& albedo, const Rgb& emission) {
   Material m;
@@ -63,20 +62,20 @@ std::shared_ptr<const Mesh> box(const Vec3& half, bool inwards) {
       add_quad(mesh, corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), (side < 0) != inwards);
     }
   }
-  return finished(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {
   Mesh mesh;
   add_quad(mesh, corner, corner + u, corner + u + v, corner + v, false);
-  return finished(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> quad(float s) {
   Mesh mesh;
   add_quad(mesh, {-s, 0, s}, {s, 0, s}, {s, 0, -s}, {-s, 0, -s}, false);
   mesh.uvs[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  return finished(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> disk(float radius, int segments) {
@@ -90,7 +89,7 @@ std::shared_ptr<const Mesh> disk(float radius, int segments) {
     mesh.positions.emplace_back(r * std::cos(phi), 0, -r * std::sin(phi));
     mesh.triangles.push_back({0, static_cast<uint32_t>(1 + i), static_cast<uint32_t>(1 + (i + 1) % segments)});
   }
-  return finished(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> sphere(float radius, int rings, bool inwards) {
@@ -114,7 +113,7 @@ std::shared_ptr<const Mesh> sphere(float radius, int rings, bool inwards) {
       if (i > 0) mesh.triangles.push_back(upper);
       if (i + 1 < rings) mesh.triangles.push_back(lower);
     }
-  return finished(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 int add(Scene& scene, std::shared_ptr<const Mesh> mesh, const Material& material, const Mat4& transform) {

@@ -12,6 +12,9 @@ Material diffuse(const Rgb& albedo, const Rgb& emission = Rgb(0));
 // Smooth solid glass without absorption.
 Material glass(float ior = 1.5f);
 
+// The mesh with the padding that Embree needs (see Mesh::positions).
+std::shared_ptr<const Mesh> padded(Mesh mesh);
+
 // Meshes around the origin, in metres.
 std::shared_ptr<const Mesh> cube(float half_size, bool inwards);
 std::shared_ptr<const Mesh> box(const Vec3& half_size, bool inwards = false);

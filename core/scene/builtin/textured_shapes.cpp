@@ -2,16 +2,12 @@
 
 #include <cmath>
 
+#include "scene/builtin/shapes.h"
+
 namespace etendue::scene {
 namespace {
 
 constexpr int kSphereRings = 48, kSphereSegments = 96, kDiskSegments = 96;
-
-// Embree reads 16 bytes at the last vertex (see Mesh::positions).
-std::shared_ptr<const Mesh> with_padding(Mesh mesh) {
-  mesh.positions.reserve(mesh.positions.size() + 1);
-  return std::make_shared<const Mesh>(std::move(mesh));
-}
 
 // A rectangle with the whole texture. `right` and `up` are half of its sides.
 void add_face(Mesh& mesh, const Vec3& centre, const Vec3& right, const Vec3& up) {
@@ -26,7 +22,7 @@ void add_face(Mesh& mesh, const Vec3& centre, const Vec3& right, const Vec3& up)
 std::shared_ptr<const Mesh> textured_plane() {
   Mesh mesh;
   add_face(mesh, Vec3(0), {1, 0, 0}, {0, 0, -1});
-  return with_padding(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> textured_box() {
@@ -38,25 +34,13 @@ std::shared_ptr<const Mesh> textured_box() {
   add_face(mesh, -y, x, z);
   add_face(mesh, z, x, y);
   add_face(mesh, -z, -x, y);
-  return with_padding(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 std::shared_ptr<const Mesh> textured_disk() {
-  Mesh mesh;
-  // The polygon is slightly larger than an inscribed one, so that it has the area of the disk.
-  const float step = 2 * kPi / kDiskSegments;
-  const float radius = std::sqrt(step / std::sin(step));
-  const auto add_vertex = [&](float x, float z) {
-    mesh.positions.emplace_back(x, 0, z);
-    mesh.uvs[0].emplace_back(0.5f + 0.5f * x, 0.5f + 0.5f * z);
-  };
-  add_vertex(0, 0);
-  for (int i = 0; i < kDiskSegments; ++i) {
-    const float phi = step * static_cast<float>(i);
-    add_vertex(radius * std::cos(phi), -radius * std::sin(phi));
-    mesh.triangles.push_back({0, static_cast<uint32_t>(1 + i), static_cast<uint32_t>(1 + (i + 1) % kDiskSegments)});
-  }
-  return with_padding(std::move(mesh));
+  Mesh mesh = *disk(1, kDiskSegments);
+  for (const Vec3& p : mesh.positions) mesh.uvs[0].emplace_back(0.5f + 0.5f * p.x, 0.5f + 0.5f * p.z);
+  return padded(std::move(mesh));
 }
 
 // Vertices of row `ring`. The first and the last one are at the same place, with u = 1 and u = 0. At the poles, each triangle
@@ -82,10 +66,11 @@ std::shared_ptr<const Mesh> textured_sphere() {
   for (int i = 0; i < kSphereRings; ++i)
     for (int j = 0; j < kSphereSegments; ++j) {
       if (i > 0) mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
-      if (i + 1 < kSphereRings) mesh.triangles.push_back({at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
-      if (i == 0) mesh.triangles.back() = {at(0, j), at(1, j + 1), at(1, j)};
+      // At the north pole, the vertex of this triangle is the one with index j.
+      const uint32_t upper = at(i, i > 0 ? j + 1 : j);
+      if (i + 1 < kSphereRings) mesh.triangles.push_back({upper, at(i + 1, j + 1), at(i + 1, j)});
     }
-  return with_padding(std::move(mesh));
+  return padded(std::move(mesh));
 }
 
 }  // namespace

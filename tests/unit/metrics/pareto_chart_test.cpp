@@ -60,6 +60,17 @@ TEST(ParetoChart, DrawsADotForEachMethodAndNamesTheBest) {
       return t && t->text == text;
     });
   };
+  // The legend of a file states which methods have no point.
+  options.embedded = false;
+  std::vector<MethodCurves> with_empty = methods;
+  with_empty.push_back({"without repeats", {}});
+  const Drawing file = pareto_chart(with_empty, options);
+  EXPECT_EQ(std::ranges::count_if(file.shapes,
+                                  [](const auto& shape) {
+                                    const auto* t = std::get_if<Text>(&shape);
+                                    return t && t->text == "no error to draw";
+                                  }),
+            1);
   const auto dots = std::ranges::count_if(
       drawing.shapes, [](const auto& shape) { return std::holds_alternative<Dot>(shape); });
   EXPECT_EQ(dots, 3);
