@@ -55,7 +55,9 @@ struct RenderArguments {
   double exposure = NAN;
 };
 
-std::string checkpoint_file_of(const RenderArguments& a) { return a.resume.empty() ? a.out + ".checkpoint" : a.resume; }
+std::string checkpoint_file_of(const RenderArguments& a) {
+  return a.resume.empty() ? render::checkpoint_of_image(a.out) : a.resume;
+}
 
 // The fraction of the time limit that remains for the rendering if the choice of the integrator took longer than
 // planned.

@@ -102,7 +102,7 @@ void open_document(AppState& state, OpenedFile opened) {
   state.previous_integrator.clear();
   for (Task* task : all_tasks(state)) task->reset(state.task_context);
   state.session->pause(false);
-  state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered);
+  state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered, std::move(opened.resume_point));
   state.viewport.pivot_is_outdated = true;
   state.viewport.first_view = opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
   state.viewport.playback = {};
@@ -129,6 +129,17 @@ void take_opened_file(AppState& state) {
   }
   if (file.kind == OpenedFile::Kind::environment) return use_environment(state, file);
   state.after_unsaved_edits([file = std::move(file)](AppState& s) { open_document(s, file); });
+}
+
+// The picture of a snapshot is shown until its rendering has an image.
+void update_stored_picture(AppState& state) {
+  auto& shown = state.viewport.stored_picture;
+  if (state.files.loader->is_busy()) {
+    shown = state.files.loader->picture();
+    return;
+  }
+  const auto frame = state.session->frame();
+  if (!state.has_document() || (frame && frame->version == state.editor->version())) shown.reset();
 }
 
 void take_saved_session(AppState& state) {
@@ -225,6 +236,7 @@ void update_state(AppState& state, ImageView& live_image) {
   if (state.options.sharing)
     for (const std::string& message : state.options.sharing->take_messages()) state.notices.add_message(message);
   take_opened_file(state);
+  update_stored_picture(state);
   take_saved_files(state);
   take_saved_session(state);
   take_loaded_image(state);

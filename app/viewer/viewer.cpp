@@ -24,6 +24,7 @@
 #include "viewer/state/editor.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_view.h"
+#include "viewer/viewport/stored_picture_view.h"
 #include "viewer/widgets/basic_widgets.h"
 
 namespace etendue::viewer {
@@ -220,7 +221,10 @@ class Application {
     const ImVec4& background = state_.ui.theme.background;
     gl.ClearColor(background.x, background.y, background.z, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    if (state_.has_document() && state_.viewport.frame) comparison_view_.draw(state_, platform_.framebuffer(), size_);
+    if (state_.viewport.stored_picture)
+      stored_picture_view_.draw(state_, platform_.framebuffer(), size_);
+    else if (state_.has_document() && state_.viewport.frame)
+      comparison_view_.draw(state_, platform_.framebuffer(), size_);
     gl.Viewport(0, 0, size_.x, size_.y);
     host_.end_frame();
     platform_.present();
@@ -248,6 +252,7 @@ class Application {
   ImguiHost host_{platform_};
   AppState state_;
   ImageView live_image_;
+  StoredPictureView stored_picture_view_{platform_.gl()};
   ComparisonView comparison_view_{platform_.gl(), live_image_};
   Interface interface_;
   Vec2i size_{0};

@@ -12,6 +12,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -323,6 +324,29 @@ Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& im
 
 Result<void> write_exr_quickly(const std::filesystem::path& path, const LayeredImage& image) {
   return write_exr_file(path, image, Imf::RLE_COMPRESSION);
+}
+
+Result<void> set_exr_attribute(const std::filesystem::path& path, const std::string& name, const std::string& text) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  if (const auto readable = decode_content(*bytes, path.string(), Content::header); !readable) return readable.error();
+  return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
+    FileStream out(temporary);
+    std::string problem;
+    try {
+      MemoryStream in(*bytes, path.string());
+      Imf::InputFile source(in, 0);
+      Imf::Header header = source.header();
+      header.erase(name);
+      if (!text.empty()) header.insert(name, Imf::StringAttribute(text));
+      Imf::OutputFile(out, header, 0).copyPixels(source);
+    } catch (const std::exception& e) {
+      problem = e.what();
+    }
+    if (!out.close()) return incomplete_write(path);
+    if (!problem.empty()) return output_error(path.string() + ": the text cannot be stored: " + problem);
+    return {};
+  });
 }
 
 extern const ImageFormat kExrFormat{

@@ -68,6 +68,10 @@ Result<LayeredImage> read_exr(const std::filesystem::path& path);
 // The size and the text attributes of an OpenEXR file, without layers.
 Result<LayeredImage> read_exr_header(const std::filesystem::path& path);
 
+// Replaces the text attribute `name` of an OpenEXR file with one part; an empty text removes it. The pixels are copied as
+// they are stored. The file is replaced atomically.
+Result<void> set_exr_attribute(const std::filesystem::path& path, const std::string& name, const std::string& text);
+
 // Writers replace an existing file atomically (base/file.h).
 //
 // OpenEXR: all layers as float, ZIP compression, and the attributes.

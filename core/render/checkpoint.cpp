@@ -82,6 +82,8 @@ Result<PartSizes> part_sizes(const std::filesystem::path& path, const Header& he
 
 }  // namespace
 
+std::string checkpoint_of_image(const std::string& image) { return image + ".checkpoint"; }
+
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const film::InvalidSamples invalid = checkpoint.film.invalid_samples();
   const auto& variance = checkpoint.film.tile_variance();

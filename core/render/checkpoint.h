@@ -18,6 +18,9 @@ struct Checkpoint {
   std::vector<film::TailState> tails = {};       // of the tiles (TailStatistics); empty if they are not known
 };
 
+// The name of the checkpoint that belongs to an image file: "out.exr.checkpoint".
+std::string checkpoint_of_image(const std::string& image);
+
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 // Reads files of this version and of the three before. Version 4 has no statistics of tails, version 3 no rounding errors

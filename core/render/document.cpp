@@ -114,6 +114,16 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   return document;
 }
 
+namespace {
+
+// Whether the second of two successive edits makes the first one ineffective. One that adds its animation keeps its index.
+bool is_same_keyframe(const scene::StructuralEdit& last, const scene::StructuralEdit& edit) {
+  return last.kind == scene::EditKind::set_keyframe && last.node == edit.node && last.animation == edit.animation &&
+         last.time == edit.time && edit.animation >= 0;
+}
+
+}  // namespace
+
 Result<Document> with_structural_edit(const Document& document, const scene::StructuralEdit& edit) {
   scene::StructuralEdit complete = edit;
   if (const auto ok = scene::read_image(complete); !ok) return ok.error();
@@ -121,7 +131,14 @@ Result<Document> with_structural_edit(const Document& document, const scene::Str
   if (!scene) return scene.error();
   Document changed = document;
   changed.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-  changed.structure.push_back(std::move(complete));
+  // A drag sets the same keyframe again and again.
+  const bool replaces = complete.kind == scene::EditKind::set_keyframe && !changed.structure.empty() &&
+                        is_same_keyframe(changed.structure.back(), complete);
+  if (replaces) {
+    changed.structure.back().transform = complete.transform;
+  } else {
+    changed.structure.push_back(std::move(complete));
+  }
   return changed;
 }
 

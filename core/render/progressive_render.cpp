@@ -53,7 +53,8 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   layers_ = layers;
   counters_.rays = 0;
   counters_.paths = 0;
-  seconds_ = 0;
+  earlier_seconds_ = start ? start->seconds : 0;
+  seconds_ = earlier_seconds_;
   focus_seconds_ = 0;
   focus_.reset();
   if (start) renderer_->begin(film_.film(), start->integrator_state);
@@ -174,7 +175,8 @@ bool ProgressiveRender::render_slice() {
     focus_seconds_ += taken;
     focus_->add_seconds(taken);
   }
-  if (first && samples_ > 0 && shared_samples_ == 0) preview_resolution_.add_measurement(counters_.paths, seconds_);
+  if (first && samples_ > 0 && shared_samples_ == 0)
+    preview_resolution_.add_measurement(counters_.paths, seconds_ - earlier_seconds_);
   return true;
 }
 
@@ -262,7 +264,8 @@ void ProgressiveRender::write_initial_status(Status& status) const {
 }
 
 void ProgressiveRender::write_status(Status& status, bool finished) {
-  const auto per_second = [&](uint64_t count) { return seconds_ > 0 ? static_cast<double>(count) / seconds_ : 0; };
+  const double seconds = seconds_ - earlier_seconds_;
+  const auto per_second = [&](uint64_t count) { return seconds > 0 ? static_cast<double>(count) / seconds : 0; };
   status.samples = samples_;
   status.seconds = seconds_;
   status.rays = counters_.rays;

@@ -101,6 +101,7 @@ class ProgressiveRender {
   std::optional<SharedSamples> received_;  // samples of other processes that are being added to the film
   uint32_t shared_samples_ = 0;            // of other processes, per pixel; part of `samples_`
   double seconds_ = 0;                     // of rendering
+  double earlier_seconds_ = 0;             // part of `seconds_` before the resume point
   double focus_seconds_ = 0;               // part of `seconds_` with a focus
   std::optional<PixelRect> requested_focus_;
   std::optional<FocusMonitor> focus_;  // nothing while all pixels are sampled alike

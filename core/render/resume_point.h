@@ -18,6 +18,7 @@ struct ResumePoint {
   film::Film film;
   std::vector<std::byte> integrator_state;  // empty if the integrator has none (integrator::RenderState::state)
   std::vector<film::TailState> tails = {};  // of the tiles (TailStatistics); empty if they are not known
+  double seconds = 0;  // of rendering so far; time limits and statistics include them
   // Receives layers of the paths (integrator/path/path_layers.h) of the samples that are taken; null: none.
   std::shared_ptr<integrator::PathLayerRecording> layers = nullptr;
 

@@ -13,14 +13,15 @@ using nlohmann::json;
 using scene::EditKind;
 using scene::StructuralEdit;
 
-constexpr std::array<const char*, 12> kKindNames{
-    "add-light",  "add-camera",   "add-shape",       "duplicate",       "remove",          "rename",
-    "set-parent", "add-material", "rename-material", "remove-material", "assign-material", "add-texture"};
+constexpr std::array<const char*, 14> kKindNames{
+    "add-light",       "add-camera",      "add-shape",    "duplicate",    "remove",
+    "rename",          "set-parent",      "add-material", "rename-material", "remove-material",
+    "assign-material", "add-texture",     "set-keyframe", "remove-keyframe"};
 
 // What an edit of each kind consists of, besides the camera of add-camera.
 struct Members {
   bool name = false, type = false, node = false, material = false, parent = false, primitive = false, file = false;
-  bool transform = false;
+  bool transform = false, keyframe = false;
 };
 
 Members members_of(EditKind kind) {
@@ -45,6 +46,10 @@ Members members_of(EditKind kind) {
       return {.node = true, .material = true, .primitive = true};
     case EditKind::add_texture:
       return {.file = true};
+    case EditKind::set_keyframe:
+      return {.node = true, .transform = true, .keyframe = true};
+    case EditKind::remove_keyframe:
+      return {.node = true, .keyframe = true};
   }
   return {};
 }
@@ -138,6 +143,10 @@ json edit_json(const StructuralEdit& edit, const FileNaming& naming) {
   if (members.primitive) j["primitive"] = edit.primitive;
   if (members.file) j["file"] = naming(edit.file);
   if (members.transform) put_transform(j, edit.transform);
+  if (members.keyframe) {
+    j["animation"] = edit.animation;
+    j["time"] = edit.time;
+  }
   if (edit.kind == EditKind::add_camera) j["camera"] = camera_json(edit.camera);
   return j;
 }
@@ -156,6 +165,10 @@ StructuralEdit edit_from(const json& j, const FileNaming& naming) {
   if (members.primitive) edit.primitive = j.at("primitive").get<int>();
   if (members.file) edit.file = naming(j.at("file").get<std::string>());
   if (members.transform) edit.transform = transform_from(j);
+  if (members.keyframe) {
+    edit.animation = j.at("animation").get<int>();
+    edit.time = j.at("time").get<float>();
+  }
   if (edit.kind == EditKind::add_camera) edit.camera = camera_from(j.at("camera"));
   return edit;
 }

@@ -7,6 +7,7 @@
 #include "scene/builtin/shapes.h"
 #include "scene/builtin/textured_shapes.h"
 #include "scene/coordinate_range.h"
+#include "scene/keyframes.h"
 
 namespace etendue::scene {
 namespace {
@@ -271,6 +272,16 @@ Result<Scene> with_material_edit(Scene scene, const StructuralEdit& edit) {
   return scene;
 }
 
+Result<Scene> with_keyframe_edit(Scene scene, const StructuralEdit& edit) {
+  if (!is_reached(scene, edit.node))
+    return impossible_edit("the scene has no object " + std::to_string(edit.node));
+  if (edit.kind == EditKind::remove_keyframe)
+    return without_keyframe(std::move(scene), edit.node, edit.animation, edit.time);
+  if (edit.transform.matrix || !is_valid_transform(edit.transform))
+    return impossible_edit("the transform of the keyframe is out of range");
+  return with_keyframe(std::move(scene), edit.node, edit.animation, edit.time, edit.transform);
+}
+
 }  // namespace
 
 const std::vector<ShapeType>& shape_types() {
@@ -280,6 +291,7 @@ const std::vector<ShapeType>& shape_types() {
 
 Result<Scene> with_edit(Scene scene, const StructuralEdit& edit) {
   if (edit.name.size() > kMaxNameLength) return impossible_edit("a name has at most 1000 characters");
+  if (edit.kind >= EditKind::set_keyframe) return with_keyframe_edit(std::move(scene), edit);
   if (edit.kind < EditKind::add_material) return with_object_edit(std::move(scene), edit);
   if (edit.kind == EditKind::assign_material && !is_reached(scene, edit.node))
     return impossible_edit("the scene has no object " + std::to_string(edit.node));

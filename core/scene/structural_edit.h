@@ -1,4 +1,4 @@
-// Edits that add objects, materials and textures to a scene, remove them, rename them or connect them.
+// Edits that add objects, materials, textures and keyframes to a scene, remove them, rename them or connect them.
 //
 // Indices of nodes, lights, cameras, meshes, materials and textures stay valid: an edit appends to the arrays of the
 // scene, and a removed node or material stays in its array. The edits of a document can therefore be applied again to the
@@ -25,7 +25,9 @@ enum class EditKind : uint8_t {
   rename_material,  // `material`
   remove_material,  // `material`, which no object may use
   assign_material,  // `material` to one primitive or to all primitives of the mesh of `node`, in all variants
-  add_texture       // from `file`
+  add_texture,      // from `file`
+  set_keyframe,     // of `node` in `animation` at `time` (scene/keyframes.h)
+  remove_keyframe
 };
 
 // The decoded pixels of a file. They are not part of the value of an edit, which is the name of the file.
@@ -47,6 +49,8 @@ struct StructuralEdit {
   std::string file = {};    // of the texture that is added
   DecodedImage image = {};  // the pixels of that file; null: the texture has no image, as if the file were missing
   Camera camera = {};       // that is added, without a position
+  int animation = -1;       // that has the keyframe; -1: a new one
+  float time = 0;           // of the keyframe, seconds
 
   friend bool operator==(const StructuralEdit&, const StructuralEdit&) = default;
 };

@@ -2,41 +2,19 @@
 #include <cstdlib>
 
 #include "base/user_folders.h"
-#include "scripted.h"
+#include "home_folder.h"
 #include "viewer/state/settings.h"
 
 namespace etendue {
 namespace {
 
-class SnapshotFolder : public Viewer {
+class SnapshotFolder : public HomeFolder {
  protected:
-  void SetUp() override {
-    Viewer::SetUp();
-    for (const char* name : kVariables) {
-      const char* value = std::getenv(name);
-      former_.push_back(value ? std::optional<std::string>(value) : std::nullopt);
-      ::unsetenv(name);
-    }
-    ::setenv("HOME", folder_.c_str(), 1);
-  }
-  void TearDown() override {
-    for (size_t i = 0; i < std::size(kVariables); ++i)
-      if (former_[i])
-        ::setenv(kVariables[i], former_[i]->c_str(), 1);
-      else
-        ::unsetenv(kVariables[i]);
-    Viewer::TearDown();
-  }
-
   void write_user_dirs(const std::string& line) {
     fs::create_directories(folder_ / ".config");
     std::ofstream(folder_ / ".config" / "user-dirs.dirs") << "# comment\nXDG_MUSIC_DIR=\"$HOME/Music\"\n"
                                                           << line << "\n";
   }
-
- private:
-  static constexpr const char* kVariables[] = {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"};
-  std::vector<std::optional<std::string>> former_;
 };
 
 TEST_F(SnapshotFolder, PicturesOfTheUserAreFound) {

@@ -20,6 +20,18 @@ void add_panel_actions(ActionList& actions, const PanelSet& panels) {
                  .section = "panels",
                  .submenu = is_bottom ? "Bottom panel" : "Side panel"});
   }
+  actions.add({.name = "layout.detach",
+               .menu = "View",
+               .label = "Detach bottom panel",
+               .tooltip = "Moves the bottom panel into a window of its own, which can be moved and resized. The context menu of "
+                          "a tab does the same for any panel; closing the window returns it",
+               .shortcut = "ctrl+shift+d",
+               .run =
+                   [](AppState& state) {
+                     if (Panel* panel = state.panels.open_bottom_panel()) state.panels.detach(*panel);
+                   },
+               .enabled = [](const AppState& state) { return state.panels.open_bottom_panel() != nullptr; },
+               .section = "panels"});
 }
 
 void add_all_actions(ActionList& actions, const PanelSet& panels) {

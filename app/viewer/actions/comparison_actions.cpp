@@ -99,6 +99,17 @@ void add_image_actions(ActionList& actions) {
                    },
                .enabled = has_image,
                .group = kGroup});
+  actions.add({.name = "compare.live-a",
+               .menu = "Compare",
+               .label = "Live image as A",
+               .tooltip = "Compares the image that is being rendered with B again, instead of a stored image",
+               .run = [](AppState& state) { state.viewport.comparison->a = {}; },
+               .enabled =
+                   [](const AppState& state) {
+                     const Side& a = state.viewport.comparison->a;
+                     return a.frame != nullptr || !a.unavailable.empty();
+                   },
+               .group = kGroup});
   actions.add({.name = "compare.load-b",
                .menu = "Compare",
                .label = "Load image as B...",

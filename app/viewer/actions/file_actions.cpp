@@ -37,15 +37,25 @@ void request_image_export(AppState& state) {
                          [&state](const std::string& file) { state.files.image_export->request(file); });
 }
 
+// "FOLDER/NAME.exr", or "FOLDER/NAME-2.exr" and so on if there are such files already.
+std::string free_file(const std::filesystem::path& folder, const std::string& name) {
+  std::error_code code;
+  for (int i = 1;; ++i) {
+    const auto file = folder / (name + (i == 1 ? "" : "-" + std::to_string(i)) + ".exr");
+    if (!std::filesystem::exists(file, code)) return file.string();
+  }
+}
+
 // Asks for a file name only if there is no folder for snapshots.
 void save_snapshot(AppState& state) {
-  const std::string& chosen = state.settings.snapshot_folder;
-  const std::filesystem::path folder = chosen.empty() ? default_snapshot_folder() : std::filesystem::path(chosen);
+  const std::filesystem::path folder = snapshot_folder(state.settings);
   if (folder.empty()) return request_image_export(state);
   std::error_code code;
   std::filesystem::create_directories(folder, code);
   if (code) return state.notices.add_error(folder.string() + ": cannot be created: " + code.message());
-  state.files.image_export->request((folder / (snapshot_name(state) + ".exr")).string());
+  state.files.image_export->request(free_file(folder, snapshot_name(state)),
+                                    state.settings.snapshots_have_samples ? SavedSamples::checkpoint
+                                                                          : SavedSamples::none);
 }
 
 void request_open(AppState& state, std::string title, std::vector<std::string> extensions, std::string folder) {
@@ -65,6 +75,13 @@ void request_scene_export(AppState& state) {
 }
 
 void add_open_actions(ActionList& actions) {
+  actions.add({.name = "file.new",
+               .menu = "File",
+               .label = "New scene",
+               .tooltip = "Opens an empty scene in studio light. The Edit menu adds shapes, lights and cameras",
+               .shortcut = "ctrl+n",
+               .run = [](AppState& state) { state.open_file("new"); },
+               .section = kOpenSection});
   actions.add({.name = "file.open",
                .menu = "File",
                .label = "Open...",
@@ -151,9 +168,8 @@ void add_file_actions(ActionList& actions) {
   actions.add({.name = "snapshot.save",
                .menu = "File",
                .label = "Save snapshot",
-               .tooltip = "Saves image, scene reference and all parameters as .exr in the folder for snapshots "
-                          "(Preferences). Drop the "
-                          "file on the window to restore everything",
+               .tooltip = "Saves the image and all parameters as .exr in the folder of snapshots (Preferences), with "
+                          "the samples from which the rendering continues. The Snapshots panel shows the folder",
                .shortcut = "f12",
                .run = save_snapshot,
                .enabled = has_document,

@@ -123,6 +123,23 @@ void add_object_actions(ActionList& actions) {
                .enabled = is_light_selected,
                .checked = is_solo,
                .section = "object"});
+  actions.add({.name = "keyframe.set",
+               .menu = "Edit",
+               .label = "Set keyframe",
+               .tooltip = "Keeps the place of the selected objects at the present time. Between keyframes they move. Handles "
+                          "of an animated object set its keyframe, too",
+               .shortcut = "k",
+               .run = set_keyframe,
+               .enabled = can_set_keyframe,
+               .section = "keyframe"});
+  actions.add({.name = "keyframe.remove",
+               .menu = "Edit",
+               .label = "Remove keyframe",
+               .tooltip = "Removes the keyframe of the selected object at the present time",
+               .shortcut = "shift+k",
+               .run = remove_keyframe,
+               .enabled = has_keyframe,
+               .section = "keyframe"});
   add_gizmo_actions(actions);
 }
 

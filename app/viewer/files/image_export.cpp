@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "advisor/certificate.h"
+#include "render/checkpoint.h"
 #include "render/image_output.h"
 #include "render/session.h"
 #include "viewer/files/file_names.h"
@@ -39,14 +40,28 @@ Result<void> write_copies(const std::string& file, const render::Session& sessio
                                     std::move(copies.reweighted)});
 }
 
+Result<void> write_samples(const std::string& image, const render::Document& document, render::ResumePoint point,
+                           const render::Status& status) {
+  return render::write_checkpoint(render::checkpoint_of_image(image),
+                                  {.state = render::state_json(document, status.samples),
+                                   .film = std::move(point.film),
+                                   .seconds = status.seconds,
+                                   .integrator_state = std::move(point.integrator_state),
+                                   .tails = std::move(point.tails)});
+}
+
 // Returns an empty name if the session has another version of the document.
-Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document,
-                          uint64_t version) {
+Result<std::string> write(const std::string& file, SavedSamples samples, render::Session& session,
+                          const render::Document& document, uint64_t version) {
   if (auto known = render::check_output_name(file); !known) return known.error();
-  Copies copies{session.film_copy(), session.reweighted_copy(), session.status()};
+  render::ResumePoint point = session.resume_point();
+  Copies copies{point.film, session.reweighted_copy(), session.status()};
   // If the document was edited before the copy, the film belongs to other settings.
   if (session.status().version != version) return std::string();
+  const render::Status status = copies.status;
   if (auto written = write_copies(file, session, document, std::move(copies)); !written) return written.error();
+  if (samples == SavedSamples::none) return file;
+  if (auto written = write_samples(file, document, std::move(point), status); !written) return written.error();
   return file;
 }
 
@@ -72,7 +87,7 @@ void ImageExport::finish_pass() {
 }
 
 std::optional<Result<SavedImage>> ImageExport::update() {
-  if (files_.empty() || editor_.empty()) return std::nullopt;
+  if (requests_.empty() || editor_.empty()) return std::nullopt;
   if (stage_ == Stage::idle) {
     was_paused_ = session_.paused();
     finish_pass();
@@ -83,12 +98,13 @@ std::optional<Result<SavedImage>> ImageExport::update() {
     const render::Status status = session_.status();
     if (status.version != version_ || !status.finished) return std::nullopt;
     stage_ = Stage::writing;
-    saved_ = {.file = files_.front(),
-              .has_state = lower_extension(files_.front()) == ".exr",
+    const Request& request = requests_.front();
+    saved_ = {.file = request.file,
+              .has_state = lower_extension(request.file) == ".exr",
               .document = editor_.document(),
               .revision = editor_.revision()};
-    const auto work = [file = files_.front(), document = editor_.document(), version = version_, &session = session_] {
-      return write(file, session, document, version);
+    const auto work = [request, document = editor_.document(), version = version_, &session = session_] {
+      return write(request.file, request.samples, session, document, version);
     };
     task_.start(work, wake_);
   }
@@ -99,7 +115,7 @@ std::optional<Result<SavedImage>> ImageExport::update() {
     return std::nullopt;
   }
   stage_ = Stage::idle;
-  files_.pop_front();
+  requests_.pop_front();
   if (was_paused_) session_.pause(true);
   editor_.submit();
   if (!*result) return result->error();

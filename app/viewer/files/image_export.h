@@ -2,6 +2,8 @@
 //
 // The image is reproducible only if all pixels have the same number of samples. The export therefore lets the session
 // finish the current pass, copies the film, and lets the session continue.
+//
+// A snapshot can be continued: the checkpoint with its exact samples is a second file (render::checkpoint_of_image).
 #pragma once
 #include <deque>
 #include <functional>
@@ -31,20 +33,28 @@ struct SavedImage {
   uint64_t revision = 0;      // of the document (Editor::revision)
 };
 
+enum class SavedSamples : uint8_t { none, checkpoint };
+
 class ImageExport {
  public:
   ImageExport(render::Session& session, Editor& editor, std::function<void()> wake)
       : session_(session), editor_(editor), wake_(std::move(wake)) {}
 
   // Queues a file. .exr stores radiance, the document and a certificate; .hdr stores radiance; .png the displayed
-  // image.
-  void request(const std::string& file) { files_.push_back(file); }
-  bool is_busy() const { return !files_.empty(); }
+  // image. A checkpoint can be written beside it.
+  void request(const std::string& file, SavedSamples samples = SavedSamples::none) {
+    requests_.push_back({file, samples});
+  }
+  bool is_busy() const { return !requests_.empty(); }
 
   // Called once per frame. Returns a file that was written, or an error.
   std::optional<Result<SavedImage>> update();
 
  private:
+  struct Request {
+    std::string file;
+    SavedSamples samples;
+  };
   enum class Stage { idle, finishing_pass, writing };
   void finish_pass();
 
@@ -52,7 +62,7 @@ class ImageExport {
   Editor& editor_;
   std::function<void()> wake_;
   BackgroundTask<Result<std::string>> task_;  // an empty name: the document was edited before the film was copied
-  std::deque<std::string> files_;
+  std::deque<Request> requests_;
   Stage stage_ = Stage::idle;
   uint64_t version_ = 0;  // of the document that is exported
   SavedImage saved_;      // what is being written

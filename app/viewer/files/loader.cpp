@@ -1,14 +1,23 @@
 #include "viewer/files/loader.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "image/format.h"
 #include "image/image.h"
+#include "render/checkpoint.h"
 #include "render/image_output.h"
 #include "render/session_file.h"
+#include "render/state_difference.h"
 #include "viewer/files/file_names.h"
 
 namespace etendue::viewer {
+
+struct Loader::Shared {
+  std::mutex mutex;
+  std::shared_ptr<const StoredPicture> picture;
+};
+
 namespace {
 
 using Kind = OpenedFile::Kind;
@@ -26,16 +35,59 @@ bool is_image(const std::string& extension) {
   return std::ranges::find(extensions, extension) != extensions.end();
 }
 
-Result<OpenedFile> read(const std::string& file, const render::Document& current, const std::string& environment) {
+// The image that was displayed; null if the file has no colours.
+std::shared_ptr<const StoredPicture> picture_of(const image::LayeredImage& image, const std::string& state) {
+  const image::Layer* layer = image.find("reweighted");
+  if (!layer) layer = image.find("");
+  if (!layer || layer->channels.size() != 3) return nullptr;
+  auto picture = std::make_shared<StoredPicture>();
+  picture->width = image.width;
+  picture->height = image.height;
+  picture->display = render::display_from_state(state);
+  for (size_t i = 0; i + 2 < layer->pixels.size(); i += 3)
+    picture->pixels.emplace_back(layer->pixels[i], layer->pixels[i + 1], layer->pixels[i + 2]);
+  return picture;
+}
+
+// From the checkpoint beside an image; nothing if there is none, or if it has other settings than the image.
+std::optional<render::ResumePoint> resume_point_of(const std::string& file, const std::string& state,
+                                                   const render::Document& document) {
+  const std::string name = render::checkpoint_of_image(file);
+  std::error_code code;
+  if (!std::filesystem::exists(name, code)) return std::nullopt;
+  auto checkpoint = render::read_checkpoint(name);
+  const bool fits = checkpoint && render::same_settings(checkpoint->state, state) && document.part.is_whole() &&
+                    checkpoint->film.width() == document.width && checkpoint->film.height() == document.height;
+  if (!fits) return std::nullopt;
+  render::ResumePoint point(std::move(checkpoint->film), std::move(checkpoint->integrator_state),
+                            std::move(checkpoint->tails));
+  point.seconds = checkpoint->seconds;
+  return point;
+}
+
+using ShowPicture = std::function<void(std::shared_ptr<const StoredPicture>)>;
+
+Result<OpenedFile> read_snapshot(const std::string& file, const image::LayeredImage& image, const std::string& state,
+                                 const ShowPicture& show) {
+  show(picture_of(image, state));
+  auto document = render::document_from_state(state, file);
+  if (!document) return document.error();
+  auto resume_point = resume_point_of(file, state, *document);
+  return OpenedFile{.kind = Kind::snapshot,
+                    .file = file,
+                    .document = std::move(*document),
+                    .resume_point = std::move(resume_point)};
+}
+
+Result<OpenedFile> read(const std::string& file, const render::Document& current, const std::string& environment,
+                        const ShowPicture& show) {
   const std::string extension = lower_extension(file);
   if (extension == ".exr") {
     const auto image = image::read_exr(file);
     if (!image) return image.error();
     const auto state = image->attributes.find(render::kStateAttribute);
     if (state == image->attributes.end()) return read_environment(file, current);
-    auto document = render::document_from_state(state->second, file);
-    if (!document) return document.error();
-    return OpenedFile{.kind = Kind::snapshot, .file = file, .document = std::move(*document)};
+    return read_snapshot(file, *image, state->second, show);
   }
   if (extension == render::kSessionExtension) {
     auto document = render::read_session_file(file);
@@ -55,11 +107,26 @@ Result<OpenedFile> read(const std::string& file, const render::Document& current
 void Loader::open(const std::string& file, const render::Document& current, const std::string& environment) {
   file_ = file;
   start_ = std::chrono::steady_clock::now();
-  task_.start([file, current, environment] { return read(file, current, environment); }, wake_);
+  shared_ = std::make_shared<Shared>();
+  const auto show = [shared = shared_, wake = wake_](std::shared_ptr<const StoredPicture> picture) {
+    {
+      const std::lock_guard lock(shared->mutex);
+      shared->picture = std::move(picture);
+    }
+    wake();
+  };
+  task_.start([file, current, environment, show] { return read(file, current, environment, show); }, wake_);
+}
+
+std::shared_ptr<const StoredPicture> Loader::picture() const {
+  if (!shared_ || !is_busy()) return nullptr;
+  const std::lock_guard lock(shared_->mutex);
+  return shared_->picture;
 }
 
 void Loader::recover(const std::string& journal) {
   file_ = journal;
+  shared_.reset();
   start_ = std::chrono::steady_clock::now();
   const auto work = [journal]() -> Result<OpenedFile> {
     auto document = render::read_session_file(journal);

@@ -1,23 +1,35 @@
 // Opens files in the background.
 //
 // The content of a file decides what it is: a scene, a session (.etendue), a snapshot (an .exr with a stored document),
-// or an environment map (any other .exr, or another image).
+// or an environment map (any other .exr, or another image). The picture of a snapshot is known before its scene, and a
+// rendering continues from the checkpoint beside the snapshot.
 #pragma once
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/document.h"
+#include "render/resume_point.h"
 #include "viewer/tasks/background_task.h"
 
 namespace etendue::viewer {
+
+// The image that a snapshot holds, and how it is displayed.
+struct StoredPicture {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;
+  render::Display display;
+};
 
 struct OpenedFile {
   enum class Kind { scene, session, recovered, snapshot, environment };
   Kind kind = Kind::scene;
   std::string file;
   render::Document document;
+  std::optional<render::ResumePoint> resume_point = {};  // of a snapshot with samples
 };
 
 class Loader {
@@ -30,6 +42,8 @@ class Loader {
   // Starts to read the journal of a session that ended unexpectedly.
   void recover(const std::string& journal);
   void cancel() { task_.abandon(); }
+  // The picture of the snapshot that is being opened, as soon as it is known; null before, and for other files.
+  std::shared_ptr<const StoredPicture> picture() const;
   bool is_busy() const { return task_.running(); }
   // The file that was opened last.
   const std::string& file() const { return file_; }
@@ -38,7 +52,10 @@ class Loader {
   std::optional<Result<OpenedFile>> take_result() { return task_.take_result(); }
 
  private:
+  struct Shared;  // with the thread that reads
+
   std::function<void()> wake_;
+  std::shared_ptr<Shared> shared_;
   BackgroundTask<Result<OpenedFile>> task_;
   std::string file_;
   std::chrono::steady_clock::time_point start_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/layout/detached_panels.h"
 #include "viewer/layout/layout_parts.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -40,6 +41,7 @@ void draw_tab(AppState& state, Panel& panel) {
   ImGui::PopStyleColor();
   state.ui.items.add(info.name);
   if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  tab_menu(state, panel);
   if (clicked) state.panels.toggle(panel);
 }
 

@@ -112,8 +112,7 @@ void FileDialog::find_places(const AppState& state) {
   };
   if (const char* home = std::getenv("HOME")) add(home, "Home");
   add(fs::current_path(code), "Working folder");
-  const std::string& snapshots = state.settings.snapshot_folder;
-  add(snapshots.empty() ? default_snapshot_folder() : fs::path(snapshots), "Snapshots");
+  add(snapshot_folder(state.settings), "Snapshots");
   add(state.settings.scene_folder, "Scenes");
   add(state.settings.environment_folder, "Environments");
   for (const std::string& file : state.settings.recent)

@@ -8,6 +8,7 @@
 
 #include "render/document.h"
 #include "viewer/layout/bottom_panel.h"
+#include "viewer/layout/detached_panels.h"
 #include "viewer/layout/menu_bar.h"
 #include "viewer/layout/popups.h"
 #include "viewer/layout/right_column.h"
@@ -34,6 +35,7 @@ Placement draw_frame(AppState& state) {
   draw_status_bar(state, status_top, screen.y - status_top);
   const float right = draw_right_column(state, top, status_top);
   const float bottom = draw_bottom_panel(state, top, right, status_top);
+  draw_detached_panels(state);
   return {Vec2(0, top), glm::max(Vec2(right, bottom - top), Vec2(1))};
 }
 
@@ -56,7 +58,7 @@ void Interface::draw(AppState& state, float seconds) {
   drop_stale_selection(state);
   viewport.region = draw_frame(state);
   if (state.has_document())
-    viewport.image = placement_of(viewport.zoom, viewport.region, {state.document().width, state.document().height});
+    viewport.image = placement_of(viewport.zoom, viewport.region, shown_image_size(state));
   viewport_.handle_input(state, seconds);
   advance_playback(state, seconds);
   draw_viewport_overlays(state);

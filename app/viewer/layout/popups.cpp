@@ -34,6 +34,7 @@ constexpr MouseShortcut kMouseShortcuts[] = {
     {"Pan", "middle drag, Shift + left drag"},
     {"Dolly to the pointer", "wheel"},
     {"Fly; wheel for speed", "right drag + W A S D Q E"},
+    {"Turn the environment", "Shift + right drag"},
     {"Select", "click"},
     {"Focus and orbit centre", "double click"},
     {"Context menu", "right click"},

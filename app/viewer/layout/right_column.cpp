@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viewer/files/loader.h"
+#include "viewer/layout/detached_panels.h"
 #include "viewer/layout/layout_parts.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -53,6 +54,7 @@ void draw_tab(AppState& state, Panel& panel, bool select) {
   const bool open = ImGui::BeginTabItem(info.label, nullptr, select ? ImGuiTabItemFlags_SetSelected : 0);
   state.ui.items.add(info.name);
   if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  tab_menu(state, panel);
   if (!open) return;
   state.panels.set_selected_tab(panel);
   pop_tab_style();
@@ -66,7 +68,8 @@ void draw_tabs(AppState& state) {
   if (ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyResizeDown | ImGuiTabBarFlags_NoTooltip)) {
     const Panel* requested = state.panels.take_requested_tab();
     for (const auto& panel : state.panels.all())
-      if (panel->info().place == PanelPlace::right_column) draw_tab(state, *panel, panel.get() == requested);
+      if (panel->info().place == PanelPlace::right_column && !state.panels.is_detached(*panel))
+        draw_tab(state, *panel, panel.get() == requested);
     ImGui::EndTabBar();
   }
   pop_tab_style();

@@ -29,6 +29,7 @@ namespace {
 constexpr const char* kPresetItem = "light.preset";
 const std::vector<std::string> kColor{"color.r", "color.g", "color.b"};
 constexpr const char* kTemperatureItem = "light.temperature";
+constexpr const char* kStrengthItem = "environment.strength";
 constexpr const char* kUnitItem = "light.unit";
 
 void list_lights(AppState& state, const scene::Scene& scene) {
@@ -166,6 +167,7 @@ class LightPanel final : public Panel {
         {"environment.image.N", "Environment N", "Lights the scene with built-in environment N"},
         {kTemperatureItem, "Temperature",
          "Sets the colour of the selected light to that of a black body of this temperature"},
+        {kStrengthItem, "Strength", "Scales the luminance of the environment, in steps of a factor of two"},
         {kPresetItem, "Preset", "Sets colour and power of the selected light to those of a well-known light source"}};
   }
 
@@ -275,7 +277,9 @@ class LightPanel final : public Panel {
   void draw_environment(AppState& state, const Environment& environment) {
     environment_images_.draw(state);
     if (environment.map && !find_builtin_environment(environment.file)) note(state.ui, environment.file);
-    section_widgets(state, "environment");
+    section_widgets_for(state, "environment", {"preset"});
+    strength_widget(state, "environment.tint", kStrengthItem);
+    section_widgets_except(state, "environment", {"preset"});
     if (!environment.black())
       emission_spectrum_editor(state, "environment.spectrum", environment.spectrum.spectrum.get());
     action_button(state, "environment.load");

@@ -1,5 +1,6 @@
 #include "viewer/panels/panel_set.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace etendue::viewer {
@@ -15,7 +16,27 @@ Panel* PanelSet::find(std::string_view name) const {
   return nullptr;
 }
 
+bool PanelSet::is_detached(const Panel& panel) const {
+  return std::ranges::find(detached_, &panel) != detached_.end();
+}
+
+void PanelSet::detach(Panel& panel) {
+  if (is_detached(panel)) return;
+  detached_.push_back(&panel);
+  if (&panel == open_bottom_panel_) open_bottom_panel_ = nullptr;
+  if (&panel != open_tab_) return;
+  open_tab_ = nullptr;
+  for (const auto& other : panels_)
+    if (!open_tab_ && other->info().place == PanelPlace::right_column && !is_detached(*other)) open_tab_ = other.get();
+}
+
+void PanelSet::attach(Panel& panel) {
+  if (std::erase(detached_, &panel) == 0) return;
+  if (panel.info().place == PanelPlace::right_column) open(panel);
+}
+
 void PanelSet::open(Panel& panel) {
+  if (is_detached(panel)) return;
   if (panel.info().place == PanelPlace::bottom) {
     open_bottom_panel_ = &panel;
     return;
@@ -25,6 +46,7 @@ void PanelSet::open(Panel& panel) {
 }
 
 void PanelSet::toggle(Panel& panel) {
+  if (is_detached(panel)) return attach(panel);
   if (&panel == open_bottom_panel_)
     open_bottom_panel_ = nullptr;
   else

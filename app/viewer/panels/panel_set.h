@@ -1,4 +1,5 @@
-// All panels, and which of them are open: one tab of the right column, and at most one bottom panel.
+// All panels, and which of them are open: one tab of the right column, at most one bottom panel, and any number in windows
+// of their own.
 #pragma once
 #include <memory>
 #include <string>
@@ -22,11 +23,21 @@ class PanelSet {
   Panel* open_tab() const { return open_tab_; }
   // Null if the bottom panel is closed.
   Panel* open_bottom_panel() const { return open_bottom_panel_; }
-  bool is_open(const Panel& panel) const { return &panel == open_tab_ || &panel == open_bottom_panel_; }
+  bool is_open(const Panel& panel) const {
+    return &panel == open_tab_ || &panel == open_bottom_panel_ || is_detached(panel);
+  }
 
+  // A detached panel stays in its window.
   void open(Panel& panel);
-  // Closes a bottom panel that is open; otherwise opens the panel.
+  // Closes a bottom panel that is open, and returns a detached panel to its tab; otherwise opens the panel.
   void toggle(Panel& panel);
+
+  // Panels in windows of their own, in the order in which they were detached.
+  const std::vector<Panel*>& detached() const { return detached_; }
+  bool is_detached(const Panel& panel) const;
+  void detach(Panel& panel);
+  // Returns a detached panel to its place; a tab of the right column is opened there.
+  void attach(Panel& panel);
   // Opens the panel that has the widget of a parameter. Returns false if there is none.
   bool reveal_parameter(AppState& state, const std::string& name);
 
@@ -39,6 +50,7 @@ class PanelSet {
   Panel* open_tab_ = nullptr;
   Panel* open_bottom_panel_ = nullptr;
   Panel* requested_tab_ = nullptr;
+  std::vector<Panel*> detached_;
 };
 
 }  // namespace etendue::viewer

@@ -49,7 +49,7 @@ using integrator::SolutionView;
 
 constexpr const char* kComponents[] = {"Red", "Green", "Blue"};
 constexpr double kUnshotDecades = 4;   // of the colour scale of unshot power
-constexpr float kControlsBeside = 48;  // width from which the chart is beside the controls, em
+constexpr float kSolverControlsBeside = 48;  // width from which the chart is beside the controls, em
 
 struct PanelSettings {
   Choice<PatchQuantity> overlay{"patches.overlay", "Patches", PatchQuantity::none,
@@ -135,7 +135,7 @@ class RadiosityPanel final : public Panel {
     const VisibleSolution* visible = task_.result();
     const bool has_solution = visible && visible->solution;
     const float em = ImGui::GetFontSize();
-    const bool side_by_side = ImGui::GetContentRegionAvail().x >= kControlsBeside * em;
+    const bool side_by_side = ImGui::GetContentRegionAvail().x >= kSolverControlsBeside * em;
     if (side_by_side) ImGui::BeginChild("##controls", {kControlColumnWidth * em, 0});
     filtered_parameters(state, [&] { parameter_widgets(state, settings_.all()); });
     if (has_solution) draw_values(state, *visible->solution);

@@ -21,6 +21,7 @@
   PANEL(surface)       \
   PANEL(lab)           \
   PANEL(sequence)      \
+  PANEL(snapshots)     \
   PANEL(messages)
 
 namespace etendue::viewer {

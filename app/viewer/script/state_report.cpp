@@ -138,7 +138,10 @@ std::string state_report(AppState& state) {
   const Selection& selection = state.selection;
   const Panel* tab = state.panels.open_tab();
   const Panel* bottom_panel = state.panels.open_bottom_panel();
+  json detached = json::array();
+  for (const Panel* panel : state.panels.detached()) detached.push_back(panel->info().name);
   json j{{"parameters", document_parameters(state)},
+         {"detached", detached},
          {"edited", editor.has_unsaved_scene_edits()},
          {"session", state.files.session_file},
          {"ui_scale", state.ui.scale},
@@ -152,6 +155,7 @@ std::string state_report(AppState& state) {
          {"redo", editor.redo_name()},
          {"samples", status.version == editor.version() ? status.samples : 0},
          {"seconds", status.seconds},
+         {"traced_paths", status.paths},
          {"paused", state.session->paused()},
          {"ranks", ranks_report(state)},
          {"phase", status.phase},

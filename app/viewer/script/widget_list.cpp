@@ -58,6 +58,8 @@ const std::vector<ItemInfo>& layout_items() {
       {"menu.palette", "Find a command", "Opens the command palette"},
       {"layout.column", "Splitter of the right column", "Drag to change the width; double-click to reset it"},
       {"layout.bottom-panel", "Upper side of the bottom panel", "Drag to change the height; double-click to reset it"},
+      {"tab-menu.detach", "Detach", "Moves a panel into a window of its own, or returns it to its tab"},
+      {"detached.PANEL", "Title of a detached panel", "Drag to move the window, such as detached.panel.histogram"},
       {"status.reliability", "Reliability", "Opens the Reliability panel"},
       {"compare.divider", "Divider", "Drag to move the border between A and B; double-click to centre it"},
       {"files.name", "File name", "The text field of the file dialog"},

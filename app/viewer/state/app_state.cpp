@@ -25,22 +25,6 @@ namespace {
 
 constexpr double kPublishInterval = 0.1;  // seconds between frames of the session
 
-// " of NAME" for sections of an object ("material.3"), otherwise empty.
-std::string object_suffix(const render::Document& d, const std::string& section) {
-  const size_t dot = section.find('.');
-  if (dot == std::string::npos) return "";
-  const auto index = static_cast<size_t>(std::stoul(section.substr(dot + 1)));
-  std::string name;
-  if (section.starts_with("material") && index < d.scene->materials.size()) name = d.scene->materials[index].name;
-  if (section.starts_with("light") && index < d.scene->lights.size()) name = d.scene->lights[index].name;
-  if (section.starts_with("node") && index < d.scene->nodes.size()) name = d.scene->nodes[index].name;
-  return " of " + (name.empty() ? section : name);
-}
-
-std::string step_name(const render::Document& d, const render::DocumentParameter& parameter) {
-  return parameter.info.label + object_suffix(d, parameter.section);
-}
-
 }  // namespace
 
 AppState::AppState(Platform& p, const ViewOptions& o)
@@ -91,7 +75,7 @@ void AppState::edit(std::span<const render::DocumentParameter> parameters, std::
     previous_integrator = integrator;
   render::Document changed = document();
   for (size_t i = 0; i < parameters.size(); ++i) parameters[i].assign(changed, values[i]);
-  edit(std::move(changed), step_name(document(), first), gesture);
+  edit(std::move(changed), full_label(document(), first), gesture);
 }
 
 void AppState::edit(render::Document changed, const std::string& name, const std::string& gesture) {

@@ -53,6 +53,7 @@ class PixelReadout;
 class Platform;
 class SceneExport;
 class SessionExport;
+struct StoredPicture;
 class SelectionOutline;
 class StoredPoints;
 class SurfaceAnalysis;
@@ -80,6 +81,7 @@ struct ViewportState {
   Placement image;                             // that the whole image fills; beyond the region if it is enlarged
   std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
   Darkness darkness = Darkness::none;          // of the frame
+  std::shared_ptr<const StoredPicture> stored_picture;  // of the snapshot that is being opened; null: none
 
   bool false_color = false;
   bool show_reliability = false;

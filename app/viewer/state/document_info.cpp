@@ -7,6 +7,21 @@
 #include "render/document.h"
 
 namespace etendue::viewer {
+namespace {
+
+// " of NAME" for sections of an object ("material.3"), otherwise empty.
+std::string object_suffix(const render::Document& d, const std::string& section) {
+  const size_t dot = section.find('.');
+  if (dot == std::string::npos) return "";
+  const auto index = static_cast<size_t>(std::stoul(section.substr(dot + 1)));
+  std::string name;
+  if (section.starts_with("material") && index < d.scene->materials.size()) name = d.scene->materials[index].name;
+  if (section.starts_with("light") && index < d.scene->lights.size()) name = d.scene->lights[index].name;
+  if (section.starts_with("node") && index < d.scene->nodes.size()) name = d.scene->nodes[index].name;
+  return " of " + (name.empty() ? section : name);
+}
+
+}  // namespace
 
 bool same_view(const render::Document& a, const render::Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
@@ -20,6 +35,10 @@ std::optional<render::DocumentParameter> document_parameter(const render::Docume
       if (parameter.info.name == name) return std::move(parameter);
   }
   return std::nullopt;
+}
+
+std::string full_label(const render::Document& document, const render::DocumentParameter& parameter) {
+  return parameter.info.label + object_suffix(document, parameter.section);
 }
 
 std::string method_spec(const render::MethodSettings& method) {

@@ -22,6 +22,9 @@ bool same_view(const render::Document& a, const render::Document& b);
 // The description of a parameter by its qualified name, or nothing if the document has no such parameter.
 std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name);
 
+// The label of a parameter with the object that it belongs to: "Roughness of Tall box".
+std::string full_label(const render::Document& document, const render::DocumentParameter& parameter);
+
 // The method of a document as `bench` writes it: "path:sampler=sobol:max-depth=3".
 std::string method_spec(const render::MethodSettings& method);
 // A method in short form: "path, sobol, max-depth=3".

@@ -12,7 +12,7 @@ constexpr size_t kMaxSteps = 1000;
 
 }  // namespace
 
-void Editor::open(render::Document document, bool is_recovered) {
+void Editor::open(render::Document document, bool is_recovered, std::optional<render::ResumePoint> resume_point) {
   document_ = std::move(document);
   ++revision_;
   if (is_recovered)
@@ -22,7 +22,10 @@ void Editor::open(render::Document document, bool is_recovered) {
   undo_steps_.clear();
   redo_steps_.clear();
   gesture_.clear();
-  submit();
+  if (resume_point)
+    version_ = session_.submit(document_, std::move(*resume_point));
+  else
+    submit();
 }
 
 void Editor::mark_saved(const render::Document& document, uint64_t revision) {

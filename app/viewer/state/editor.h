@@ -2,10 +2,12 @@
 //
 // Each step stores the document before the edit. All edits of one gesture (a slider drag, an orbit) make one step.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/document.h"
+#include "render/resume_point.h"
 
 namespace etendue::render {
 class Session;
@@ -23,7 +25,9 @@ class Editor {
   uint64_t version() const { return version_; }
 
   // Replaces the document and clears the undo history. The document counts as saved unless it was recovered.
-  void open(render::Document document, bool is_recovered = false);
+  // The rendering continues from the resume point if there is one.
+  void open(render::Document document, bool is_recovered = false,
+            std::optional<render::ResumePoint> resume_point = std::nullopt);
 
   // Counts all changes of the document, including undo and redo.
   uint64_t revision() const { return revision_; }

@@ -6,6 +6,7 @@
 #include "light/light.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
+#include "scene/keyframes.h"
 #include "scene/pose.h"
 #include "scene/rotation.h"
 #include "scene/structural_edit.h"
@@ -271,6 +272,55 @@ void solo_selected_light(AppState& state) {
     scene->nodes[static_cast<size_t>(node)].visible = shows_others || node == state.selection.node;
   changed.scene = std::move(scene);
   state.edit(std::move(changed), shows_others ? "Show all lights" : "Solo " + selected_name(state));
+}
+
+Result<render::Document> with_keyframe_at_present(const render::Document& document, int node,
+                                                  const scene::Transform& transform) {
+  StructuralEdit edit{.kind = EditKind::set_keyframe, .node = node, .transform = transform};
+  edit.animation = scene::animation_for_keyframes(*document.scene, node);
+  edit.time = document.scene->time;
+  return render::with_structural_edit(document, edit);
+}
+
+bool can_set_keyframe(const AppState& state) { return state.has_document() && state.selection.node >= 0; }
+
+void set_keyframe(AppState& state) {
+  const std::vector<int> nodes = selected_nodes(state);
+  render::Document changed = state.document();
+  for (const int node : nodes) {
+    const scene::Scene& scene = *changed.scene;
+    if (const std::string obstacle = scene::keyframe_obstacle(scene, node); !obstacle.empty())
+      return state.notices.add_error(node_name_of(scene, node) + ": " + obstacle);
+    const auto transform = scene::decompose(scene::posed_transform(scene, node));
+    if (!transform) return state.notices.add_error(node_name_of(scene, node) + ": its transform has no inverse");
+    auto keyed = with_keyframe_at_present(changed, node, *transform);
+    if (!keyed) return state.notices.add_error(node_name_of(scene, node) + ": " + keyed.error().message);
+    changed = std::move(*keyed);
+  }
+  if (!nodes.empty()) state.edit(std::move(changed), "Set keyframe of " + names_of(state, nodes));
+}
+
+std::vector<float> selected_keyframes(const AppState& state) {
+  if (!can_set_keyframe(state)) return {};
+  const scene::Scene& scene = scene_of(state);
+  return scene::keyframe_times(scene, state.selection.node, scene::animation_for_keyframes(scene, state.selection.node));
+}
+
+bool has_keyframe(const AppState& state) {
+  const auto times = selected_keyframes(state);
+  return std::ranges::any_of(times, [&](float time) {
+    return std::abs(time - scene_of(state).time) <= scene::kKeyframeTolerance;
+  });
+}
+
+void remove_keyframe(AppState& state) {
+  if (!has_keyframe(state)) return;
+  const int node = state.selection.node;
+  StructuralEdit edit{.kind = EditKind::remove_keyframe, .node = node};
+  edit.animation = scene::animation_for_keyframes(scene_of(state), node);
+  edit.time = scene_of(state).time;
+  if (auto changed = edited(state, state.document(), edit))
+    state.edit(std::move(*changed), "Remove keyframe of " + selected_name(state));
 }
 
 void drop_stale_selection(AppState& state) {

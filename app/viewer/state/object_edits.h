@@ -3,7 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "scene/forward.h"
+
+namespace etendue::render {
+struct Document;
+}
+namespace etendue::scene {
+struct Transform;
+}
 
 namespace etendue::viewer {
 
@@ -42,6 +50,17 @@ const std::vector<int>& light_nodes(const AppState& state);
 void solo_selected_light(AppState& state);
 bool is_light_selected(const AppState& state);
 bool is_solo(const AppState& state);
+
+// Keyframes at the present time. Setting one keeps the present place of each selected object.
+void set_keyframe(AppState& state);
+void remove_keyframe(AppState& state);
+bool can_set_keyframe(const AppState& state);
+bool has_keyframe(const AppState& state);
+// The times of the keyframes of the selected object, in seconds.
+std::vector<float> selected_keyframes(const AppState& state);
+// A document with this keyframe at its time.
+Result<render::Document> with_keyframe_at_present(const render::Document& document, int node,
+                                                  const scene::Transform& transform);
 
 // Clears the parts of the selection that the document does not have, for instance after undo.
 void drop_stale_selection(AppState& state);

@@ -80,7 +80,10 @@ std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
           describe(Toggle{"preferences.automatic", "Automatic integrator",
                           settings.automatic_integrator,
                           "Short pilot renderings choose the integrator a moment after a scene was opened; otherwise "
-                          "path tracing. Sessions and snapshots keep their own"})};
+                          "path tracing. Sessions and snapshots keep their own"}),
+          describe(Toggle{"preferences.snapshot-samples", "Samples in snapshots", settings.snapshots_have_samples,
+                          "Keeps the samples of a snapshot in a second file, from which the rendering continues. It has "
+                          "56 bytes per pixel or more"})};
 }
 
 void assign_preference(Settings& settings, const std::string& name, const Value& value) {
@@ -93,6 +96,7 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
   if (name == "preferences.welcome") settings.show_welcome = std::get<bool>(value);
   if (name == "preferences.timing") settings.show_details = std::get<bool>(value);
   if (name == "preferences.automatic") settings.automatic_integrator = std::get<bool>(value);
+  if (name == "preferences.snapshot-samples") settings.snapshots_have_samples = std::get<bool>(value);
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);
 }

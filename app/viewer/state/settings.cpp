@@ -36,6 +36,7 @@ Settings from_json(const json& j) {
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
+  s.snapshots_have_samples = j.value("snapshots_have_samples", true);
   s.material_folder = j.value("material_folder", "");
   s.scene_folder = j.value("scene_folder", "");
   s.environment_folder = j.value("environment_folder", "");
@@ -58,6 +59,7 @@ json to_json(const Settings& s) {
          {"threads", s.threads},
          {"environment", s.environment},
          {"snapshot_folder", s.snapshot_folder},
+         {"snapshots_have_samples", s.snapshots_have_samples},
          {"material_folder", s.material_folder},
          {"scene_folder", s.scene_folder},
          {"environment_folder", s.environment_folder},
@@ -82,6 +84,10 @@ fs::path default_snapshot_folder() {
   if (const fs::path pictures = pictures_folder(); !pictures.empty()) return pictures / "etendue";
   const fs::path state = state_folder();
   return state.empty() ? state : state / "snapshots";
+}
+
+fs::path snapshot_folder(const Settings& settings) {
+  return settings.snapshot_folder.empty() ? default_snapshot_folder() : fs::path(settings.snapshot_folder);
 }
 
 fs::path default_material_folder() {

@@ -34,6 +34,7 @@ struct Settings {
   int threads = 0;                               // 0: one per hardware thread; applied at the next start
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one
   std::string snapshot_folder;                   // empty: default_snapshot_folder()
+  bool snapshots_have_samples = true;            // so that renderings continue from them
   std::string material_folder;                   // library; empty: default_material_folder()
   std::string scene_folder, environment_folder;  // where the file dialog starts; empty: `folder`
   std::map<std::string, std::string> shortcuts;  // by the name of the action; only those that were changed
@@ -48,6 +49,8 @@ std::filesystem::path recovery_folder(const std::filesystem::path& folder);
 // Where snapshots are saved unless the settings name a folder: "etendue" in the user's pictures, or "snapshots" in
 // $XDG_STATE_HOME/etendue. Empty if the user has no home folder.
 std::filesystem::path default_snapshot_folder();
+// The folder of the settings, or the default.
+std::filesystem::path snapshot_folder(const Settings& settings);
 
 // The library of materials unless the settings name a folder: $XDG_DATA_HOME/etendue/materials. Empty if the user has no
 // home folder.

@@ -9,6 +9,7 @@
 #include "render/document.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
+#include "scene/keyframes.h"
 #include "scene/pose.h"
 #include "scene/rotation.h"
 #include "viewer/state/app_state.h"
@@ -79,6 +80,12 @@ bool is_animated_node(const scene::Scene& scene, int node) {
   return animated;
 }
 
+// An animated object is moved by its keyframes.
+bool is_movable(const scene::Scene& scene, int node) {
+  if (scene.nodes[static_cast<size_t>(node)].skin >= 0) return false;
+  return !is_animated_node(scene, node) || scene::keyframe_obstacle(scene, node).empty();
+}
+
 ImVec2 to_im(Vec2 p) { return {p.x, p.y}; }
 
 ImU32 color_of(const GizmoHandle& handle) {
@@ -142,8 +149,8 @@ std::optional<Gizmo::Frame> Gizmo::frame_of(const AppState& state) const {
   const scene::Scene& scene = *state.document().scene;
   const int index = state.selection.node;
   const scene::Node& node = scene.nodes[static_cast<size_t>(index)];
-  // Joints, animations, or the type of the object decide.
-  if (node.skin >= 0 || is_animated_node(scene, index)) return std::nullopt;
+  // Joints, animations that cannot be edited, or the type of the object decide.
+  if (!is_movable(scene, index)) return std::nullopt;
   if (mode == GizmoMode::scale && (node.light >= 0 || node.camera >= 0)) return std::nullopt;
   if (mode != GizmoMode::move && !scene::decompose(node.transform)) return std::nullopt;
   const std::vector<Mat4>& world = state.viewport.node_places.of(state.document().scene).world;
@@ -309,7 +316,7 @@ std::vector<Gizmo::Moved> Gizmo::movable_nodes(const AppState& state) const {
   std::vector<Moved> list;
   for (const int index : selected_roots(state)) {
     const scene::Node& node = scene.nodes[static_cast<size_t>(index)];
-    if (node.skin >= 0 || is_animated_node(scene, index)) continue;
+    if (!is_movable(scene, index)) continue;
     Moved moved{.node = index, .to_world = world[static_cast<size_t>(index)]};
     if (node.parent >= 0) moved.parent = world[static_cast<size_t>(node.parent)];
     if (!scene::is_singular(moved.to_world) && !scene::is_singular(moved.parent)) list.push_back(moved);
@@ -318,7 +325,7 @@ std::vector<Gizmo::Moved> Gizmo::movable_nodes(const AppState& state) const {
 }
 
 std::optional<scene::Transform> Gizmo::changed_transform(const Moved& moved, const Change& change) const {
-  scene::Transform transform = drag_->scene->nodes[static_cast<size_t>(moved.node)].transform;
+  scene::Transform transform = scene::posed_transform(*drag_->scene, moved.node);
   if (mode == GizmoMode::move) {
     // A matrix stays a matrix, so that the other values keep their bits.
     const Vec3 delta = glm::inverse(Mat3(moved.parent)) * change.translation;
@@ -338,13 +345,22 @@ void Gizmo::apply(AppState& state, const Change& change) {
   render::Document changed = state.document();
   auto scene = std::make_shared<scene::Scene>(*changed.scene);
   size_t count = 0;
+  std::vector<std::pair<int, scene::Transform>> keyframes;
   for (const Moved& moved : drag_->moved)
     if (const auto transform = changed_transform(moved, change)) {
-      scene->nodes[static_cast<size_t>(moved.node)].transform = *transform;
+      if (is_animated_node(*scene, moved.node))
+        keyframes.emplace_back(moved.node, *transform);
+      else
+        scene->nodes[static_cast<size_t>(moved.node)].transform = *transform;
       ++count;
     }
   if (count == 0) return;
   changed.scene = std::move(scene);
+  for (const auto& [node, transform] : keyframes) {
+    auto keyed = with_keyframe_at_present(changed, node, transform);
+    if (!keyed) return state.notices.add_error(keyed.error().message);
+    changed = std::move(*keyed);
+  }
   const char* name = mode == GizmoMode::move ? "Move " : mode == GizmoMode::rotate ? "Rotate " : "Scale ";
   const int node = drag_->moved.front().node;
   const std::string& object = drag_->scene->nodes[static_cast<size_t>(node)].name;

@@ -56,24 +56,50 @@ void Comparison::load(const std::string& file, Target target) {
   const auto work = [file, target]() -> Result<LoadedImage> {
     auto side = read_side(file);
     if (!side) return side.error();
-    return LoadedImage{target, std::move(*side)};
+    return LoadedImage{target, std::move(*side), std::nullopt};
   };
   loading_.start(work, wake_);
+}
+
+void Comparison::load_both(const std::string& file_a, const std::string& file_b) {
+  const auto work = [file_a, file_b]() -> Result<LoadedImage> {
+    auto side_a = read_side(file_a), side_b = read_side(file_b);
+    if (!side_a) return side_a.error();
+    if (!side_b) return side_b.error();
+    return LoadedImage{Target::a, std::move(*side_a), std::move(*side_b)};
+  };
+  loading_.start(work, wake_);
+}
+
+// Returns the message.
+std::string Comparison::take_side(LoadedImage loaded) {
+  const std::string name = loaded.side.name;
+  if (loaded.target == Target::reference) {
+    reference = std::move(loaded.side);
+    return "Reference: " + name + ". Hold Shift to show it.";
+  }
+  if (mode == CompareMode::off) mode = CompareMode::wipe;
+  const bool is_b = loaded.target == Target::b;
+  (is_b ? b : a) = std::move(loaded.side);
+  if (loaded.other) b = std::move(*loaded.other);
+  if (is_b) return "Image B: " + name;
+  return loaded.other ? "Image A: " + name + ", image B: " + b.name : "Image A: " + name;
 }
 
 std::optional<Result<std::string>> Comparison::take_load_result() {
   auto loaded = loading_.take_result();
   if (!loaded) return std::nullopt;
   if (!*loaded) return Result<std::string>(loaded->error());
-  Side& side = (*loaded)->side;
-  if (live.frame && !same_size(side, live))
-    return Result<std::string>(input_error(side.name + ": is " + size_text(side) + ", the image is " + size_text(live) +
+  LoadedImage& image = **loaded;
+  const Side& other = image.other                           ? *image.other
+                      : image.target == Target::reference ? live
+                      : image.target == Target::b         ? first()
+                                                            : image.side;
+  if (other.frame && !same_size(image.side, other))
+    return Result<std::string>(input_error(image.side.name + ": is " + size_text(image.side) + ", " +
+                                           (&other == &live ? "the image" : other.name) + " is " + size_text(other) +
                                            "; images of different size cannot be compared"));
-  const bool is_b = (*loaded)->target == Target::b;
-  if (is_b && mode == CompareMode::off) mode = CompareMode::wipe;
-  const std::string message = is_b ? "Image B: " + side.name : "Reference: " + side.name + ". Hold Shift to show it.";
-  (is_b ? b : reference) = std::move(side);
-  return Result<std::string>(message);
+  return take_side(std::move(image));
 }
 
 void Comparison::update(float exposure, image::ToneCurve curve) {

@@ -1,8 +1,8 @@
 // The comparison of two images in the viewport: side by side with a divider, their difference, or FLIP; and a reference
 // image that is shown while Shift is held.
 //
-// Image A is the live image unless another one is set. Image B and the reference are pinned images, files, or images of
-// the methods that the Convergence panel compares.
+// Image A is the live image unless another one is set. The others are pinned images, files, or images of the methods that
+// the Convergence panel compares.
 #pragma once
 #include <algorithm>
 #include <chrono>
@@ -58,9 +58,11 @@ class Comparison {
   void pin() { b = live; }
   void move_divider(float by) { divider = std::clamp(divider + by, 0.0f, 1.0f); }
 
-  // Reads an image in the background as B or as the reference. It must have the size of the live image.
-  enum class Target { b, reference };
+  // Reads an image in the background. B must have the size of A, and the reference that of the live image.
+  enum class Target { a, b, reference };
   void load(const std::string& file, Target target);
+  // Reads two images as A and B.
+  void load_both(const std::string& file_a, const std::string& file_b);
   // The message about an image that was loaded, or the error; once.
   std::optional<Result<std::string>> take_load_result();
 
@@ -79,7 +81,9 @@ class Comparison {
   struct LoadedImage {
     Target target = Target::b;
     Side side;
+    std::optional<Side> other;  // B, if both sides were read
   };
+  std::string take_side(LoadedImage loaded);
   // used: Shift is part of another input, such as a pan or a capital letter.
   enum class Shift { up, held, shows_reference, used };
 

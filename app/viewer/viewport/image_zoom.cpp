@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "render/document.h"
+#include "render/display_frame.h"
 #include "viewer/state/app_state.h"
+#include "viewer/viewport/comparison.h"
 
 namespace etendue::viewer {
 namespace {
-
-Vec2i image_size_of(const AppState& state) { return {state.document().width, state.document().height}; }
 
 Vec2 middle_of(const Placement& region) { return region.corner + region.size * 0.5f; }
 
@@ -24,7 +24,7 @@ Vec2 limited_centre(Vec2 centre, Vec2 shown, Vec2 region) {
 // The zoom that shows the point `relative` of the image at a position of the window.
 ImageZoom zoom_about(const AppState& state, float scale, Vec2 relative, Vec2 position) {
   const Placement& region = state.viewport.region;
-  const Vec2 shown = Vec2(image_size_of(state)) * scale;
+  const Vec2 shown = Vec2(shown_image_size(state)) * scale;
   const Vec2 centre = relative + (middle_of(region) - position) / glm::max(shown, Vec2(1));
   return {.scale = scale, .centre = limited_centre(centre, shown, region.size)};
 }
@@ -36,6 +36,12 @@ Placement placement_of(const ImageZoom& zoom, const Placement& region, Vec2i ima
   const Vec2 shown = glm::max(glm::round(Vec2(image_size) * zoom.scale), Vec2(1));
   const Vec2 centre = limited_centre(zoom.centre, shown, region.size);
   return {glm::floor(middle_of(region) - centre * shown), shown};
+}
+
+Vec2i shown_image_size(const AppState& state) {
+  const Comparison& c = *state.viewport.comparison;
+  if (!c.is_active() || state.shows_aov()) return {state.document().width, state.document().height};
+  return {c.left().frame->width, c.left().frame->height};
 }
 
 ImageZoom scaled(const AppState& state, float factor, Vec2 position) {
@@ -52,7 +58,7 @@ ImageZoom moved(const AppState& state, Vec2 movement) {
 }
 
 float current_scale(const AppState& state) {
-  return state.viewport.image.size.x / static_cast<float>(std::max(state.document().width, 1));
+  return state.viewport.image.size.x / static_cast<float>(std::max(shown_image_size(state).x, 1));
 }
 
 void set_scale(AppState& state, float scale) {

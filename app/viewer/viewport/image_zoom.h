@@ -26,6 +26,8 @@ ImageZoom scaled(const AppState& state, float factor, Vec2 position);
 // The zoom after moving the image by this many window pixels. A fitted image does not move.
 ImageZoom moved(const AppState& state, Vec2 movement);
 
+// The size of the image in the viewport: of the rendering, or of two stored images that are compared.
+Vec2i shown_image_size(const AppState& state);
 // Window pixels per image pixel at present.
 float current_scale(const AppState& state);
 // Shows the image at this scale about the middle of the viewport; 0 fits it into the viewport.

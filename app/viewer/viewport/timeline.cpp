@@ -9,9 +9,11 @@
 #include "render/display_frame.h"
 #include "render/document.h"
 #include "scene/animation.h"
+#include "scene/keyframes.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
@@ -25,6 +27,7 @@ constexpr const char* kFrameRate = "timeline.fps";
 constexpr const char* kGesture = "timeline";
 constexpr std::array kFrameRates{12, 24, 25, 30, 50, 60};
 constexpr float kWidth = 46, kNarrowWidth = 36;  // times the font size; a narrow bar has no choices
+constexpr float kKeyframeRoom = 5;  // seconds; the slider ends at a multiple of it
 constexpr double kMinStep = 1.0 / 30, kMaxStep = 1.0 / 12;  // seconds between images
 
 // Neither the time nor the clip counts as an edit of the scene that has to be saved.
@@ -97,16 +100,42 @@ TimeRange time_range(const AppState& state) {
 }
 
 // Marks the range on the slider that was drawn last.
-void draw_range(const AppState& state) {
+void draw_range(const AppState& state, double end) {
   const Playback& playback = state.viewport.playback;
   if (!playback.first && !playback.last) return;
-  const auto duration = static_cast<double>(scene::animation_duration(*state.document().scene));
   const TimeRange range = time_range(state);
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-  const auto x_of = [&](double time) { return min.x + (max.x - min.x) * static_cast<float>(time / duration); };
+  const auto x_of = [&](double time) { return min.x + (max.x - min.x) * static_cast<float>(time / end); };
   const float height = std::max(2.0f, 0.12f * ImGui::GetFontSize());
   ImGui::GetWindowDrawList()->AddRectFilled({x_of(range.begin), max.y - height}, {x_of(range.end), max.y},
                                             ImGui::GetColorU32(state.ui.theme.accent));
+}
+
+// Marks the keyframes of the selected object on the slider that was drawn last.
+void draw_keyframes(const AppState& state, float end) {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const float half = 0.22f * ImGui::GetFontSize(), y = 0.5f * (min.y + max.y);
+  for (const float time : selected_keyframes(state)) {
+    const float x = min.x + (max.x - min.x) * time / end;
+    const bool is_present = std::abs(time - state.document().scene->time) <= scene::kKeyframeTolerance;
+    const ImU32 color = ImGui::GetColorU32(is_present ? state.ui.theme.accent : state.ui.theme.text);
+    ImGui::GetWindowDrawList()->AddQuadFilled({x - half, y}, {x, y - half}, {x + half, y}, {x, y + half}, color);
+  }
+}
+
+bool has_channels(const AppState& state) {
+  return state.has_document() && std::ranges::any_of(state.document().scene->animations,
+                                                     [](const auto& a) { return !a->channels.empty(); });
+}
+
+// The end of the slider: of the animation, or beyond it where keyframes were set, so that there is room for the next one.
+float slider_end(const AppState& state) {
+  const float duration = scene::animation_duration(*state.document().scene);
+  const bool has_own_keyframes = std::ranges::any_of(state.document().structure, [](const auto& edit) {
+    return edit.kind == scene::EditKind::set_keyframe;
+  });
+  if (!has_own_keyframes) return duration;
+  return std::max(kKeyframeRoom * (std::floor(duration / kKeyframeRoom) + 1), state.document().scene->time);
 }
 
 // Waits for the full resolution, but not longer than kMaxStep.
@@ -177,7 +206,7 @@ void step_frame(AppState& state, int step) {
 void draw_timeline(AppState& state) {
   Playback& playback = state.viewport.playback;
   playback.bar_height = 0;
-  if (!is_animated(state)) return;
+  if (!has_channels(state)) return;
   const Placement& region = state.viewport.region;
   const float em = ImGui::GetFontSize();
   const float width = std::min(region.size.x - 20, em * kWidth);
@@ -197,14 +226,16 @@ void draw_timeline(AppState& state) {
   }
   ImGui::SameLine();
   const float duration = scene::animation_duration(*state.document().scene);
+  const float end = std::max(slider_end(state), 1e-6f);
   float time = state.document().scene->time;
   const std::string text = formatted("%.2f / %.2f s", static_cast<double>(time), static_cast<double>(duration)) +
                            (is_narrow ? "" : formatted(", frame %lld", static_cast<long long>(present_frame(state))));
   ImGui::SetNextItemWidth(-em * (is_narrow ? 7 : 12));
-  const bool moved = ImGui::SliderFloat("##time", &time, 0, duration, "");
+  const bool moved = ImGui::SliderFloat("##time", &time, 0, end, "");
   state.ui.items.add(kTimeSlider);
-  draw_range(state);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which the animations of the file are evaluated");
+  draw_range(state, static_cast<double>(end));
+  draw_keyframes(state, end);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which animations are evaluated. Marks: keyframes of the selected object");
   if (moved) {
     playback.is_playing = false;
     set_time(state, time);

@@ -11,6 +11,7 @@
 #include "scene/compiled_scene.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
 #include "viewer/state/object_edits.h"
 #include "viewer/viewport/first_view.h"
@@ -89,10 +90,11 @@ void ViewportController::begin_drag(AppState& state) {
   if (pressed(Button::left)) drag_ = input.shift() ? Drag::pan : Drag::orbit;
   // A fitted image has nothing beyond the viewport, so the camera moves.
   if (pressed(Button::middle)) drag_ = state.viewport.zoom.is_fitted() ? Drag::pan : Drag::move_image;
-  if (pressed(Button::right)) drag_ = Drag::fly;
+  if (pressed(Button::right)) drag_ = input.shift() ? Drag::environment : Drag::fly;
   if (drag_ == Drag::orbit && state.viewport.focus.is_selecting()) drag_ = Drag::region;
   if (drag_ == Drag::none) return;
-  pressed_left_ = pressed(Button::left);
+  for (const Button button : {Button::left, Button::middle, Button::right})
+    if (pressed(button)) button_ = button;
   state.editor->end_gesture();
   drag_start_ = input.mouse;
   last_position_ = input.mouse;
@@ -112,6 +114,7 @@ void ViewportController::continue_drag(AppState& state) {
   if (drag_ == Drag::move_image) state.viewport.zoom = moved(state, movement);
   if (drag_ == Drag::orbit) state.edit_camera(controller.orbit(camera, movement), "Orbit", "camera.orbit");
   if (drag_ == Drag::pan) state.edit_camera(controller.pan(camera, movement, height), "Pan", "camera.pan");
+  if (drag_ == Drag::environment) turn_environment(state, movement.x);
   if (drag_ == Drag::fly) state.edit_camera(controller.look_around(camera, movement), "Fly", "camera.fly");
 }
 
@@ -124,13 +127,23 @@ void ViewportController::fly(AppState& state, float seconds) {
                     "camera.fly");
 }
 
+void ViewportController::turn_environment(AppState& state, float movement) {
+  const auto parameter = document_parameter(state.document(), "environment.rotation");
+  if (!parameter || state.document().scene->environment.black()) return;
+  const double turn = 2 * static_cast<double>(kPi);
+  const double angle = std::get<double>(parameter->info.default_value) +
+                       turn * static_cast<double>(movement / std::max(state.viewport.image.size.x, 1.0f));
+  state.edit(*parameter, Value(std::remainder(angle, turn)), "environment.turn");
+}
+
 void ViewportController::end_drag(AppState& state) {
   const auto& buttons = state.ui.input.buttons;
   const auto is_down = [&](Button b) { return buttons[static_cast<size_t>(b)]; };
-  const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
+  const bool is_right = button_ == Button::right;
+  const bool held = is_right ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
   if (held) return;
   if (drag_ == Drag::region) state.viewport.focus.end_drag();
-  const bool is_left = drag_ == Drag::orbit || (drag_ == Drag::pan && pressed_left_);
+  const bool is_left = drag_ == Drag::orbit || (drag_ == Drag::pan && button_ == Button::left);
   if (is_left && !moved_) click(state, drag_start_);
   if (drag_ == Drag::fly && !moved_) state.interface.menu_position = drag_start_;
   if (drag_ == Drag::fly && moved_) {

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "base/vec.h"
+#include "viewer/platform/input.h"
 #include "viewer/viewport/comparison_overlay.h"
 
 namespace etendue::viewer {
@@ -16,11 +17,13 @@ class ViewportController {
 
  private:
   using Clock = std::chrono::steady_clock;
-  enum class Drag { none, orbit, pan, fly, move_image, region };
+  enum class Drag { none, orbit, pan, fly, move_image, region, environment };
 
   void begin_drag(AppState& state);
   void continue_drag(AppState& state);
   void fly(AppState& state, float seconds);
+  // Turns the environment about the vertical axis: once for a drag over the width of the image.
+  static void turn_environment(AppState& state, float movement);
   void end_drag(AppState& state);
   void click(AppState& state, Vec2 position);
   void scroll(AppState& state);
@@ -29,7 +32,7 @@ class ViewportController {
   Drag drag_ = Drag::none;
   Vec2 drag_start_{0};
   Vec2 last_position_{0};
-  bool pressed_left_ = false;  // the button that began the drag
+  Button button_ = Button::left;  // that began the drag
   bool moved_ = false;  // since the start of the drag; otherwise it is a click
   Vec2 click_position_{-1e6f};
   Clock::time_point click_time_{};

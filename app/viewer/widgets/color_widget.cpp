@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,8 @@
 
 namespace etendue::viewer {
 namespace {
+
+constexpr double kMinStrength = -16, kMaxStrength = 16;  // EV
 
 using ColorParameters = std::span<const render::DocumentParameter>;
 
@@ -134,11 +137,43 @@ void radiance_swatch(AppState& state, ColorParameters rgb) {
 
 }  // namespace
 
-void temperature_widget(AppState& state, const std::string& name, const std::string& item) {
-  const auto list = render::section_parameters(state.document(), name.substr(0, name.rfind('.')));
+namespace {
+
+// NAME.r, NAME.g and NAME.b among the parameters of their section; empty if it does not have them.
+ColorParameters color_of(const std::vector<render::DocumentParameter>& list, const std::string& name) {
   const auto first = std::ranges::find_if(list, [&](const auto& p) { return p.info.name == name + ".r"; });
-  if (list.end() - first < 3) return;
-  const ColorParameters rgb = std::span(list).subspan(static_cast<size_t>(first - list.begin()), 3);
+  if (list.end() - first < 3) return {};
+  return std::span(list).subspan(static_cast<size_t>(first - list.begin()), 3);
+}
+
+std::vector<render::DocumentParameter> section_of(const AppState& state, const std::string& name) {
+  return render::section_parameters(state.document(), name.substr(0, name.rfind('.')));
+}
+
+// A field for a number that stands for a colour; `color` is the colour of a new value.
+void derived_field(AppState& state, const ParameterInfo& info, ColorParameters rgb, const std::string& gesture,
+                   const std::function<Rgb(double)>& color) {
+  ImGui::PushID(info.name.c_str());
+  label_column(info.label);
+  const WidgetEdit edit = number_field(state.ui, info);
+  const bool reset_by_menu = color_menu(state, rgb);
+  ImGui::PopID();
+  start_edit(state, info, edit, gesture);
+  if (reset_by_menu)
+    reset_parameters(state, rgb);
+  else if (edit.reset)
+    set_color(state, rgb, original_color(state, rgb));
+  else if (edit.value && *edit.value != info.default_value)
+    set_color(state, rgb, color(std::get<double>(*edit.value)));
+  if (edit.ended || edit.scripted || edit.reset) state.editor->end_gesture();
+}
+
+}  // namespace
+
+void temperature_widget(AppState& state, const std::string& name, const std::string& item) {
+  const auto list = section_of(state, name);
+  const ColorParameters rgb = color_of(list, name);
+  if (rgb.empty()) return;
   ParameterInfo info;
   info.name = item;
   info.label = "Temperature";
@@ -157,22 +192,28 @@ void temperature_widget(AppState& state, const std::string& name, const std::str
     cache.kelvin = nearest_temperature(color);
   }
   info.default_value = std::round(cache.kelvin);
-  ImGui::PushID(info.name.c_str());
-  label_column(info.label);
-  const WidgetEdit edit = number_field(state.ui, info);
-  const bool reset_by_menu = color_menu(state, rgb);
-  ImGui::PopID();
-  start_edit(state, info, edit, name);
-  if (reset_by_menu)
-    reset_parameters(state, rgb);
-  else if (edit.reset)
-    set_color(state, rgb, original_color(state, rgb));
-  else if (edit.value && *edit.value != info.default_value) {
-    cache.kelvin = std::get<double>(*edit.value);
-    cache.color = blackbody_color(cache.kelvin);
-    set_color(state, rgb, cache.color);
-  }
-  if (edit.ended || edit.scripted || edit.reset) state.editor->end_gesture();
+  derived_field(state, info, rgb, name, [&](double kelvin) {
+    cache.kelvin = kelvin;
+    return cache.color = blackbody_color(kelvin);
+  });
+}
+
+void strength_widget(AppState& state, const std::string& name, const std::string& item) {
+  const auto list = section_of(state, name);
+  const ColorParameters rgb = color_of(list, name);
+  const Rgb present = rgb.empty() ? Rgb(0) : value_of(rgb);
+  const float largest = max_component(present);
+  if (!(largest > 0)) return;
+  ParameterInfo info;
+  info.name = item;
+  info.label = "Strength";
+  info.doc = "Largest component of the luminance in steps of a factor of two; 0 EV: 1. All three components are scaled";
+  info.unit = "EV";
+  info.min = kMinStrength;
+  info.max = kMaxStrength;
+  info.default_value = std::round(1000 * std::log2(static_cast<double>(largest))) / 1000;
+  derived_field(state, info, rgb, name,
+                [&](double strength) { return present / largest * static_cast<float>(std::exp2(strength)); });
 }
 
 void color_widget(AppState& state, ColorParameters rgb) {

@@ -22,4 +22,8 @@ void color_widget(AppState& state, std::span<const render::DocumentParameter> rg
 // edit sets the colour. `name` is NAME with its section, as in "light.0.color"; scripts find the field as `item`.
 void temperature_widget(AppState& state, const std::string& name, const std::string& item);
 
+// A field for the largest of the parameters NAME.r, NAME.g and NAME.b in EV: 0 EV is 1. An edit scales all three. Nothing is
+// drawn while they are zero.
+void strength_widget(AppState& state, const std::string& name, const std::string& item);
+
 }  // namespace etendue::viewer

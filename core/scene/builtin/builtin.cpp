@@ -9,6 +9,7 @@
 #include "scene/builtin/cornell.h"
 #include "scene/builtin/cornell_spheres.h"
 #include "scene/builtin/door_ajar.h"
+#include "scene/builtin/empty.h"
 #include "scene/builtin/fire.h"
 #include "scene/builtin/fog.h"
 #include "scene/builtin/glass_caustic.h"
@@ -34,7 +35,7 @@ const std::vector<Builtin>& builtins() {
 const Builtin* find_builtin(std::string_view name) {
   for (const Builtin& b : builtins())
     if (b.name == name) return &b;
-  return nullptr;
+  return name == kEmpty.name ? &kEmpty : nullptr;
 }
 
 std::string builtin_names() {

@@ -20,7 +20,7 @@ struct Builtin {
 
 // All built-in scenes, the simplest first.
 const std::vector<Builtin>& builtins();
-// Null if there is no scene with this name.
+// Null if there is no scene with this name. "new" is the empty scene, which is not in the list.
 const Builtin* find_builtin(std::string_view name);
 // All names, separated by commas.
 std::string builtin_names();

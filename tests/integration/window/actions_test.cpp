@@ -51,6 +51,7 @@ const std::set<std::string> kLeftOut{
     "view.clear-region",  // viewer.Viewer.RegionReceivesTheSamplesUntilItIsCleared
     "animation.previous-frame", "animation.next-frame",  // viewer.Viewer.TimelineStepsByFramesAndChoosesClips
     "animation.range-start", "animation.range-end", "animation.clear-range",  // viewer.Sequence.AnimationHasTheFramesOfTheRange
+    "compare.live-a",  // viewer.Snapshots.TwoOfThemAreComparedAsAAndB
     "sequence.stop",  // viewer.Sequence.StoppingKeepsCompleteImagesAndContinuesTheRendering
 };
 
@@ -60,6 +61,9 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"edit.undo", {"display.brighter"}},
     {"edit.redo", {"display.brighter", "edit.undo"}},
     {"edit.deselect", {"add.box"}},
+    {"keyframe.set", {"add.box"}},
+    {"keyframe.remove", {"add.box", "keyframe.set"}},
+    {"layout.detach", {"view.panel.histogram"}},
     {"object.duplicate", {"add.box"}},
     {"object.delete", {"add.box"}},
     {"object.hide", {"add.box"}},

@@ -10,6 +10,7 @@
 #include "render/material_settings.h"
 #include "render/scene_saving.h"
 #include "scene/gltf/save_gltf.h"
+#include "scene/keyframes.h"
 #include "scene/pose.h"
 #include "scene/rotation.h"
 #include "support/random_editor.h"
@@ -35,7 +36,7 @@ class RandomSceneEditor : public test::RandomEditor {
       : RandomEditor(std::move(document), seed), pictures_(std::move(pictures)) {}
 
   void edit() {
-    constexpr size_t kKinds = 16;
+    constexpr size_t kKinds = 18;
     switch (below(kKinds)) {
       case 0:
         return undo();
@@ -65,6 +66,10 @@ class RandomSceneEditor : public test::RandomEditor {
       case 13:
         return change_texture();
       case 14:
+        return set_keyframe();
+      case 15:
+        return remove_keyframe();
+      case 16:
         return change_parameter_of("material." + std::to_string(below(document().scene->materials.size())));
       default:
         return change_parameter_of("node." + std::to_string(below(document().scene->nodes.size())));
@@ -91,6 +96,29 @@ class RandomSceneEditor : public test::RandomEditor {
     edit.material = below(4) == 0 ? -1 : any_material();
     return edit;
   }
+
+  static constexpr int kKeyframeTimes = 4;
+
+  StructuralEdit keyframe(EditKind kind) {
+    StructuralEdit edit;
+    edit.kind = kind;
+    edit.node = any_node();
+    edit.animation = scene::animation_for_keyframes(*document().scene, edit.node);
+    edit.time = 0.5f * static_cast<float>(below(kKeyframeTimes));
+    return edit;
+  }
+
+  // A place near the present one.
+  void set_keyframe() {
+    StructuralEdit edit = keyframe(EditKind::set_keyframe);
+    const auto posed = scene::decompose(scene::posed_transform(*document().scene, edit.node));
+    if (!posed) return;
+    edit.transform = *posed;
+    edit.transform.translation += Vec3(between(-0.1f, 0.1f), between(-0.1f, 0.1f), between(-0.1f, 0.1f));
+    apply(edit);
+  }
+
+  void remove_keyframe() { apply(keyframe(EditKind::remove_keyframe)); }
 
   // Keeps the world transform, as a matrix if the parents shear it.
   void set_parent() {

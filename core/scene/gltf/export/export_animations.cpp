@@ -62,7 +62,8 @@ void export_skins(OutputFile& out) {
 
 void export_animations(OutputFile& out) {
   AnimationExporter writer(out);
-  for (const auto& animation : out.scene.animations) out.add("animations", writer.run(*animation));
+  for (const auto& animation : out.scene.animations)
+    if (!animation->channels.empty()) out.add("animations", writer.run(*animation));
 }
 
 }  // namespace etendue::scene::gltf

@@ -1,0 +1,38 @@
+// Panels in windows of their own.
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+TEST_F(Viewer, DetachedPanelsStayOpenBesideOthersAndReturn) {
+  const auto steps = joined(
+      small(), json::array({click("panel.histogram"), click("layout.detach"), file_step("state", path("detached.json")),
+                            click("panel.convergence"), wait_for("histogram"), file_step("state", path("both.json")),
+                            {{"do", "drag"}, {"item", "detached.panel.histogram"}, {"by", {60, 40}}},
+                            file_step("screenshot", path("moved.png")), click("panel.histogram"),
+                            file_step("state", path("returned.json"))}));
+  ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
+  EXPECT_EQ(state("detached.json")["detached"], json::array({"panel.histogram"}));
+  EXPECT_EQ(state("detached.json")["bottom_panel"], "");
+  EXPECT_EQ(state("both.json")["bottom_panel"], "panel.convergence");
+  EXPECT_TRUE(state("returned.json")["detached"].empty());
+  EXPECT_EQ(state("returned.json")["bottom_panel"], "panel.convergence");
+}
+
+TEST_F(Viewer, TabsOfTheRightColumnAreDetachedByTheirMenu) {
+  const json menu{{"do", "click"}, {"item", "tab.material"}, {"button", "right"}};
+  const auto steps = joined(
+      small(), json::array({click("tab.material"), menu, click("tab-menu.detach"), file_step("state", path("detached.json")),
+                            set("material.5.roughness", 0.25), set("camera.exposure", 1.0), file_step("state", path("edited.json")),
+                            click("view.tab.material"), file_step("state", path("returned.json"))}));
+  ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
+  EXPECT_EQ(state("detached.json")["detached"], json::array({"tab.material"}));
+  EXPECT_NE(state("detached.json")["tab"], "tab.material");
+  EXPECT_EQ(state("edited.json")["parameters"]["material.5.roughness"], 0.25);
+  EXPECT_EQ(state("edited.json")["detached"], json::array({"tab.material"}));
+  EXPECT_TRUE(state("returned.json")["detached"].empty());
+  EXPECT_EQ(state("returned.json")["tab"], "tab.material");
+}
+
+}  // namespace
+}  // namespace etendue

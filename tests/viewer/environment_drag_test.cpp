@@ -1,0 +1,51 @@
+// The environment: turned by a drag over the image, and its strength in EV.
+#include <cmath>
+
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+json turn(double dx) {
+  return {{"do", "drag"}, {"from", {300, 200}}, {"to", {300 + dx, 200}}, {"button", "right"}, {"holding", "shift"}};
+}
+
+class EnvironmentDrag : public Viewer {
+ protected:
+  // "new" is lit by an environment.
+  double rotation(const char* name) const { return state(name)["parameters"]["environment.rotation"]; }
+};
+
+TEST_F(EnvironmentDrag, TurnsInOneStepOfUndo) {
+  ASSERT_EQ(run(joined(small(), json::array({file_step("state", path("a.json")), turn(100), file_step("state", path("b.json")), turn(-100),
+                                             file_step("state", path("c.json")), key("ctrl+z"), key("ctrl+z"), file_step("state", path("d.json"))})),
+                "new"),
+            0);
+  const double a = rotation("a.json"), b = rotation("b.json");
+  const double width = state("a.json")["image"][2];
+  EXPECT_NEAR(b - a, 2 * M_PI * 100 / width, 1e-3);
+  EXPECT_NEAR(rotation("c.json"), a, 1e-5);
+  EXPECT_EQ(rotation("d.json"), a);
+  EXPECT_EQ(state("b.json")["undo_depth"], state("a.json")["undo_depth"].get<int>() + 1);
+  EXPECT_EQ(state("b.json")["parameters"]["camera.yfov"], state("a.json")["parameters"]["camera.yfov"]);
+}
+
+TEST_F(EnvironmentDrag, ChangesNothingWithoutAnEnvironment) {
+  ASSERT_EQ(run(joined(small(), json::array({file_step("state", path("a.json")), turn(100), file_step("state", path("b.json"))})), "cornell"), 0);
+  EXPECT_EQ(state("a.json")["parameters"], state("b.json")["parameters"]);
+  EXPECT_EQ(state("a.json")["undo_depth"], state("b.json")["undo_depth"]);
+}
+
+TEST_F(EnvironmentDrag, StrengthScalesTheLuminance) {
+  ASSERT_EQ(run(joined(small(), json::array({set("environment.tint.r", 1), set("environment.tint.g", 0.5), set("environment.tint.b", 0.25),
+                                             set("environment.strength", 2), file_step("state", path("s.json"))})),
+                "new"),
+            0);
+  const json p = state("s.json")["parameters"];
+  EXPECT_NEAR(p["environment.tint.r"].get<double>(), 4, 1e-5);
+  EXPECT_NEAR(p["environment.tint.g"].get<double>(), 2, 1e-5);
+  EXPECT_NEAR(p["environment.tint.b"].get<double>(), 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace etendue
