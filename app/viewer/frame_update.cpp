@@ -8,6 +8,7 @@
 #include "render/default_light.h"
 #include "render/session.h"
 #include "render/shared_sampling.h"
+#include "scene/builtin/builtin.h"
 #include "scene/variants.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
@@ -61,8 +62,7 @@ void fit_image(render::Document& document, Vec2 region) {
 
 // The name of the window: that of the session file if there is one, otherwise of the scene.
 void set_title(AppState& state) {
-  const std::string& session = state.files.session_file;
-  state.platform.set_title(base_name(session.empty() ? state.document().scene_name : session) + " - \u00c9tendue");
+  state.platform.set_title(title_of(state.document(), state.files.session_file) + " - \u00c9tendue");
 }
 
 // The environment that was added to a scene without lights is named in a message of its own.
@@ -73,7 +73,10 @@ void add_warnings_of_scene(AppState& state) {
     const std::string& name = document.scene->environment.map ? document.scene->environment.file : kUniform.name;
     const BuiltinEnvironment* environment = find_builtin_environment(name);
     const std::string label = environment ? environment->label : name;
-    state.notices.add_message("No lights in the file: the environment \"" + label + "\" was added.", "tab.light");
+    const bool is_empty = document.scene_name == scene::kNewScene;
+    state.notices.add_message(is_empty ? "An empty scene in the environment \"" + label + "\". The Edit menu adds shapes and lights."
+                                       : "No lights in the file: the environment \"" + label + "\" was added.",
+                              "tab.light");
   }
   state.notices.add_warnings(base_name(document.scene_name), warnings);
 }

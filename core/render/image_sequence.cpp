@@ -50,7 +50,7 @@ Vec3 orbit_centre(const Camera& camera, const scene::CompiledScene& scene) {
   const Bounds& bounds = scene.bounds();
   const Ray axis{Vec3(camera.to_world[3]), 0, -Vec3(camera.to_world[2]), kInfinity};
   const Hit hit = scene.intersect(axis, 0);
-  const float to_centre = bounds.empty() ? 1.0f : glm::dot(bounds.center() - axis.origin, axis.direction);
+  const float to_centre = bounds.empty() ? camera.focus_distance : glm::dot(bounds.center() - axis.origin, axis.direction);
   const float distance = hit ? hit.t : std::max(to_centre, 0.1f * std::max(bounds.radius(), 1e-3f));
   return axis.origin + axis.direction * distance;
 }

@@ -79,7 +79,9 @@ class Session {
   uint64_t submit(const Document& document);
   // The same, continuing from a checkpoint or from the film of another session.
   uint64_t submit(const Document& document, ResumePoint start);
-  void restart();
+  // Discards all samples of the last document, and renders it again under the version that is returned. Does nothing before
+  // the first document.
+  uint64_t restart();
   void pause(bool paused);
   bool paused() const;
 

@@ -50,9 +50,10 @@ class Session::Impl {
     return version;
   }
 
-  void restart() {
+  uint64_t restart() {
     const std::lock_guard lock(mutex_);
     if (edits_.resubmit()) interrupt();
+    return edits_.last_version();
   }
 
   void pause(bool paused) {
@@ -301,7 +302,7 @@ uint64_t Session::submit(const Document& document, ResumePoint start) {
   return impl_->submit(document, std::move(start));
 }
 void Session::set_focus(const std::optional<PixelRect>& region) { impl_->set_focus(region); }
-void Session::restart() { impl_->restart(); }
+uint64_t Session::restart() { return impl_->restart(); }
 void Session::pause(bool paused) { impl_->pause(paused); }
 bool Session::paused() const { return impl_->paused(); }
 std::shared_ptr<const Frame> Session::frame() const { return impl_->frame(); }

@@ -50,6 +50,14 @@ TEST_F(Viewer, PngIsTheDisplayedImageAndExrKeepsFireflies) {
   EXPECT_TRUE(same_pixels(saved_image("keep.exr"), saved_image("reweight.exr")));
 }
 
+TEST_F(Viewer, RestartRendersTheSameImageAgain) {
+  const auto steps = json::array({file_step("image", path("a.exr")), click("render.restart"), {{"do", "wait"}, {"spp", 4}},
+                                  file_step("image", path("b.exr")), file_step("state", path("s.json"))});
+  ASSERT_EQ(run(joined(small(), steps), "cornell"), 0);
+  EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
+  EXPECT_EQ(state("s.json")["traced_paths"], 4 * 96 * 96);
+}
+
 TEST_F(Viewer, DroppedSnapshotRestoresEverything) {
   const auto make = joined(small(), json::array({set("material.4.base-color.g", 0.1),
                                                  {{"do", "wait"}, {"spp", 4}},

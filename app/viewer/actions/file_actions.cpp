@@ -80,7 +80,7 @@ void add_open_actions(ActionList& actions) {
                .label = "New scene",
                .tooltip = "Opens an empty scene in studio light. The Edit menu adds shapes, lights and cameras",
                .shortcut = "ctrl+n",
-               .run = [](AppState& state) { state.open_file("new"); },
+               .run = [](AppState& state) { state.open_file(scene::kNewScene); },
                .section = kOpenSection});
   actions.add({.name = "file.open",
                .menu = "File",

@@ -2,6 +2,7 @@
 #include "render/session.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/actions/conditions.h"
+#include "viewer/state/editor.h"
 #include "viewer/tasks/exclusive_task.h"
 
 namespace etendue::viewer {
@@ -21,7 +22,7 @@ void add_render_actions(ActionList& actions) {
                .label = "Restart",
                .tooltip = "Discards all samples and starts again",
                .shortcut = "r",
-               .run = [](AppState& state) { state.session->restart(); },
+               .run = [](AppState& state) { state.editor->restart(); },
                .enabled = has_document});
   actions.add({.name = "view.region",
                .menu = "View",

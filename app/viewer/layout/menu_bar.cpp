@@ -9,6 +9,7 @@
 
 #include "render/document.h"
 #include "viewer/files/file_names.h"
+#include "viewer/state/document_info.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
@@ -101,8 +102,7 @@ void draw_menu(AppState& state, const char* menu) {
 
 // The name of the scene in the middle, and the command palette on the right, as far as there is space.
 void draw_title(AppState& state) {
-  const std::string& session = state.files.session_file;
-  std::string title = base_name(session.empty() ? state.document().scene_name : session);
+  std::string title = title_of(state.document(), state.files.session_file);
   if (state.editor->has_unsaved_scene_edits()) title += " (edited)";
   const char* hint = "Ctrl+K  Find a command";
   const ImGuiStyle& style = ImGui::GetStyle();

@@ -10,6 +10,7 @@
 #include "viewer/files/loader.h"
 #include "viewer/files/session_export.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/widgets/dialog.h"
 
 namespace etendue::viewer {
@@ -48,8 +49,7 @@ void draw_unsaved_edits_dialog(AppState& state) {
   // While the file dialog is open or the session is being written, the question waits.
   if (!files.after_unsaved_edits || files.request || files.session_export->is_busy()) return;
   if (!begin_dialog(kName)) return;
-  const std::string& file = files.session_file.empty() ? state.document().scene_name : files.session_file;
-  ImGui::Text("Save the edits of %s?", base_name(file).c_str());
+  ImGui::Text("Save the edits of %s?", title_of(state.document(), files.session_file).c_str());
   ImGui::TextDisabled("They are lost otherwise.");
   ImGui::Spacing();
   const bool save = dialog_button(state, "Save", "unsaved.save");

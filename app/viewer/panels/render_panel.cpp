@@ -9,6 +9,7 @@
 #include "integrator/integrator.h"
 #include "render/session.h"
 #include "viewer/actions/action.h"
+#include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/recommendation_section.h"
 #include "viewer/state/app_state.h"
@@ -115,8 +116,8 @@ class RenderPanel final : public Panel {
 
   bool reveal_parameter(AppState& state, const std::string& name) override {
     const std::string section = name.substr(0, name.find('.'));
-    // The integrator "light" has the name of the section of the Light panel's own parameters.
-    const bool is_method = (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
+    // The integrator "light" has the name of the sections of lights, "light.0", and of the Light panel's own parameters.
+    const bool is_method = !object_index(name, section) && (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
                            render::get(state.document(), name);
     return is_method || section == "render" || section == "auto" || section == "film" || section == "model" ||
            Panel::reveal_parameter(state, name);

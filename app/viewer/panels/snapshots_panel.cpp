@@ -213,8 +213,8 @@ class SnapshotsPanel final : public Panel {
     state.ui.items.add("snapshots." + std::to_string(index));
     const bool hovered = ImGui::IsItemHovered();
     draw_picture(state, info, index, corner, size, hovered);
-    if (hovered) tooltip(state.ui, base_name(info.file) + "\n" + description(info));
-    ImGui::TextUnformatted(shortened(std::filesystem::path(info.file).stem().string(), width).c_str());
+    if (hovered && state.ui.pointer_rest >= kTooltipDelay) draw_enlarged(state, info, index);
+    ImGui::TextUnformatted(shortened(caption(info), width).c_str());
     ImGui::EndGroup();
     ImGui::PopID();
     if (hovered && ImGui::IsMouseDoubleClicked(0)) return state.open_file(info.file);
@@ -247,6 +247,23 @@ class SnapshotsPanel final : public Panel {
                  is_selected ? "A" : "B");
   }
 
+  // The picture in its own size with what the file says.
+  void draw_enlarged(AppState& state, const SnapshotInfo& info, size_t index) {
+    ImGui::BeginTooltip();
+    if (const ThumbnailImage* image = state.tasks.thumbnails->find(info.file))
+      ImGui::Image(thumbnails_.texture(state.platform.gl(), index, *image),
+                   {state.ui.scale * static_cast<float>(image->width), state.ui.scale * static_cast<float>(image->height)});
+    ImGui::TextUnformatted((base_name(info.file) + "\n" + description(info)).c_str());
+    if (!info.notes.empty()) ImGui::TextUnformatted(info.notes.c_str());
+    ImGui::EndTooltip();
+  }
+
+  // The first line of the notes, or the method.
+  static std::string caption(const SnapshotInfo& info) {
+    const std::string line = info.notes.substr(0, info.notes.find('\n'));
+    return line.empty() ? formatted("%u spp, %s", info.samples, integrator_of(info.state).c_str()) : line;
+  }
+
   static std::string description(const SnapshotInfo& info) {
     return formatted("%s, %u spp, %d x %d, %s", integrator_of(info.state).c_str(), info.samples, info.width, info.height,
                      info.date.c_str());
@@ -256,19 +273,19 @@ class SnapshotsPanel final : public Panel {
 
   void draw_details(AppState& state, const SnapshotInfo& info) {
     ImGui::TextUnformatted(shortened(base_name(info.file), ImGui::GetContentRegionAvail().x).c_str());
-    note(state.ui, description(info) + "; " + samples_text(info));
+    note(state.ui, description(info) + "; " + samples_text(info) + ".");
     draw_buttons(state, info);
     draw_notes(state, info);
     draw_differences(state);
   }
 
   static std::string samples_text(const SnapshotInfo& info) {
-    if (info.checkpoint_bytes == 0) return "without samples: it starts again when it is opened";
+    if (info.checkpoint_bytes == 0) return "without samples, so it starts again";
     return "continues with its samples (" + memory_text(info.checkpoint_bytes) + ")";
   }
 
-  bool button(AppState& state, const char* label, const char* item) {
-    same_line_if_fits(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
+  bool button(AppState& state, const char* label, const char* item, bool is_first = false) {
+    if (!is_first) same_line_if_fits(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
     const bool pressed = ImGui::Button(label);
     state.ui.items.add(item);
     for (const ItemInfo& listed : items())
@@ -278,11 +295,10 @@ class SnapshotsPanel final : public Panel {
 
   void draw_buttons(AppState& state, const SnapshotInfo& info) {
     Comparison& comparison = *state.viewport.comparison;
-    ImGui::Dummy({0, 0});
     if (other_) {
-      if (button(state, "Compare A | B", "snapshots.compare")) comparison.load_both(info.file, *other_);
+      if (button(state, "Compare A | B", "snapshots.compare", true)) comparison.load_both(info.file, *other_);
     } else {
-      if (button(state, "Open", "snapshots.open")) state.open_file(info.file);
+      if (button(state, "Open", "snapshots.open", true)) state.open_file(info.file);
       if (button(state, "Use as A", "snapshots.use-a")) comparison.load(info.file, Comparison::Target::a);
       if (button(state, "Use as B", "snapshots.use-b")) comparison.load(info.file, Comparison::Target::b);
     }
@@ -290,10 +306,12 @@ class SnapshotsPanel final : public Panel {
   }
 
   void draw_notes(AppState& state, const SnapshotInfo& info) {
-    const float height = 2 * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
-    ImGui::TextDisabled("Notes");
-    ImGui::InputTextMultiline("##notes", &notes_, {-1, height});
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, corner = ImGui::GetCursorScreenPos();
+    ImGui::InputTextMultiline("##notes", &notes_, {-1, 2 * ImGui::GetTextLineHeight() + 2 * padding.y});
     const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    if (notes_.empty() && !ImGui::IsItemActive())
+      ImGui::GetWindowDrawList()->AddText({corner.x + padding.x, corner.y + padding.y},
+                                          ImGui::GetColorU32(state.ui.theme.secondary_text), "Notes");
     state.ui.items.add(kNotesItem);
     if (ImGui::IsItemHovered()) tooltip(state.ui, "Text that is kept in the file, where other programs show it as comments");
     if (const auto requested = state.ui.items.take_request(kNotesItem)) {

@@ -5,6 +5,8 @@
 
 #include "integrator/integrator.h"
 #include "render/document.h"
+#include "scene/builtin/builtin.h"
+#include "viewer/files/file_names.h"
 
 namespace etendue::viewer {
 namespace {
@@ -39,6 +41,11 @@ std::optional<render::DocumentParameter> document_parameter(const render::Docume
 
 std::string full_label(const render::Document& document, const render::DocumentParameter& parameter) {
   return parameter.info.label + object_suffix(document, parameter.section);
+}
+
+std::string title_of(const render::Document& document, const std::string& session) {
+  if (!session.empty()) return base_name(session);
+  return document.scene_name == scene::kNewScene ? "New scene" : base_name(document.scene_name);
 }
 
 std::string method_spec(const render::MethodSettings& method) {

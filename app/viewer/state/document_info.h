@@ -41,6 +41,9 @@ struct LabelledMessage {
 };
 LabelledMessage with_labels(const render::Document& document, const std::string& message);
 
+// The name of the session, or of the scene if `session` is empty, for titles.
+std::string title_of(const render::Document& document, const std::string& session);
+
 // The name of the scene file without folder and extension, or "scene".
 std::string scene_stem(const render::Document& document);
 

@@ -93,6 +93,8 @@ uint64_t Editor::submit_with_limits(const render::Limits& limits) {
   return version_ = session_.submit(limited);
 }
 
+void Editor::restart() { version_ = session_.restart(); }
+
 void Editor::submit() { version_ = session_.submit(document_); }
 
 }  // namespace etendue::viewer

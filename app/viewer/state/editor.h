@@ -58,6 +58,8 @@ class Editor {
   // Submits the document to the session with other limits, without a step. `submit` restores its own limits.
   uint64_t submit_with_limits(const render::Limits& limits);
   void submit();
+  // Discards all samples.
+  void restart();
 
  private:
   struct Step {

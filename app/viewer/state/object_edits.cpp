@@ -258,7 +258,7 @@ bool is_light_selected(const AppState& state) {
 bool is_solo(const AppState& state) {
   if (!is_light_selected(state)) return false;
   const auto& scene = scene_of(state);
-  return std::ranges::none_of(light_nodes(state), [&](int node) {
+  return light_nodes(state).size() > 1 && std::ranges::none_of(light_nodes(state), [&](int node) {
     return node != state.selection.node && scene.nodes[static_cast<size_t>(node)].visible;
   });
 }

@@ -35,7 +35,7 @@ const std::vector<Builtin>& builtins() {
 const Builtin* find_builtin(std::string_view name) {
   for (const Builtin& b : builtins())
     if (b.name == name) return &b;
-  return name == kEmpty.name ? &kEmpty : nullptr;
+  return name == kNewScene ? &kEmpty : nullptr;
 }
 
 std::string builtin_names() {

@@ -18,6 +18,9 @@ struct Builtin {
   Scene (*make)();
 };
 
+// The name of the empty scene.
+inline constexpr const char* kNewScene = "new";
+
 // All built-in scenes, the simplest first.
 const std::vector<Builtin>& builtins();
 // Null if there is no scene with this name. "new" is the empty scene, which is not in the list.

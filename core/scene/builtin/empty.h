@@ -11,13 +11,15 @@ inline Scene empty_scene() {
   scene.name = "New scene";
   scene.materials.push_back(diffuse(Rgb(0.7f)));
   // Looks at the origin from the front and above, with room for objects of about a metre.
-  add(scene, look_at(Vec3(1.6f, 1.8f, 4.2f), Vec3(0, 0.5f, 0), Vec3(0, 1, 0), 0.7f));
+  Camera camera = look_at(Vec3(0.9f, 1.2f, 3), Vec3(0, 0.2f, 0), Vec3(0, 1, 0), 0.7f);
+  camera.name = "camera";
+  add(scene, camera);
   return scene;
 }
 
 // Opened as "new". Not in the list of built-in scenes, which are there to be rendered.
 inline constexpr Builtin kEmpty{
-    .name = "new",
+    .name = kNewScene,
     .label = "New scene",
     .doc = "An empty scene in studio light, to which shapes, lights and cameras are added",
     .make = empty_scene,

@@ -47,5 +47,17 @@ TEST_F(EnvironmentDrag, StrengthScalesTheLuminance) {
   EXPECT_NEAR(p["environment.tint.b"].get<double>(), 1, 1e-5);
 }
 
+// The parameters of lights, not those of the integrator "light".
+TEST_F(Viewer, ParametersOfLightsAreFoundInTheLightPanel) {
+  ASSERT_EQ(run(joined(small(), json::array({click("view.tab.scene"), click("add.light.spot"), set("light.0.range", 5),
+                                             file_step("state", path("s.json")), set("render.integrator", "light"),
+                                             click("view.tab.scene"), set("light.max-depth", 3), file_step("state", path("t.json"))})),
+                "new", 1280, 720),
+            0);
+  EXPECT_EQ(state("s.json")["tab"], "tab.light");
+  EXPECT_EQ(state("s.json")["parameters"]["light.0.range"], 5);
+  EXPECT_EQ(state("t.json")["tab"], "tab.render");
+}
+
 }  // namespace
 }  // namespace etendue
