@@ -10,10 +10,12 @@ program=$(realpath "${ETENDUE:-$root/build/release/app/cli/etendue}")
 scripts=$root/assets/scripts/screenshots
 images=$root/docs/images/viewer
 mkdir -p "$images"
-# The scripts use a material library of their own.
-XDG_DATA_HOME=$(mktemp -d)
-export XDG_DATA_HOME
-trap 'rm -rf "$XDG_DATA_HOME"' EXIT
+# The scripts use a material library and a folder of snapshots of their own.
+HOME=$(mktemp -d)
+export HOME
+unset XDG_DATA_HOME XDG_STATE_HOME XDG_CONFIG_HOME
+mkdir "$HOME/Pictures"
+trap 'rm -rf "$HOME"' EXIT
 # Scripts name the screenshot without a folder.
 cd "$images"
 if [ $# -eq 0 ]; then

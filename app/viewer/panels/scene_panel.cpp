@@ -115,7 +115,8 @@ void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
   if (is_animated(scene, index))
-    note(state.ui, "This transform is animated. Edits to animated channels have no effect.");
+    note(state.ui, "Keyframes move this object. The values above hold where there are none; handles and Set keyframe change "
+                   "the place at the present time.");
   if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
   action_button(state, "view.frame-selection");
   ImGui::SameLine();

@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -48,6 +49,13 @@ std::string integrator_of(const std::string& state) {
   return integrator_label(name == render::kAutomatic && json.contains("automatic")
                               ? text(json["automatic"], "integrator", name)
                               : name);
+}
+
+// "~/Pictures" for a folder in the home folder of the user.
+std::string shortened_home(const std::string& folder) {
+  const char* home = std::getenv("HOME");
+  const std::string prefix = home ? std::string(home) + "/" : "";
+  return prefix.size() > 1 && folder.starts_with(prefix) ? "~/" + folder.substr(prefix.size()) : folder;
 }
 
 // One row of the table of differences.
@@ -186,7 +194,7 @@ class SnapshotsPanel final : public Panel {
 
   void draw_gallery(AppState& state) {
     action_button(state, "snapshot.save");
-    const std::string folder = snapshot_folder(state.settings).string();
+    const std::string folder = shortened_home(snapshot_folder(state.settings).string());
     if (list_.all().empty()) {
       const char* text = list_.is_reading() ? "Reading " : "There are no snapshots in ";
       return note(state.ui, folder.empty() ? "There is no folder for snapshots; Preferences can name one."
