@@ -3,8 +3,8 @@
 
     tools/gizmo_latency.py [--etendue PROGRAM] [--drags N] [--size WxH] SCENE...
 
-For each scene, the off-screen viewer selects the object in the middle of the image, shows the handles, and drags them to
-and fro: along an axis, about it, and along it again as a scale. The state that the script writes has the percentiles of
+For each scene, the off-screen viewer selects the object in the middle of the image, shows the handles, and drags them back
+and forth: along an axis, about it, and along it again as a scale. The state that the script writes has the percentiles of
 all frames. The exit code is 1 if the 95th percentile of a scene exceeds 50 ms.
 """
 import argparse

@@ -1,5 +1,6 @@
 // The gallery of snapshots: notes, differences, comparison, and renderings that continue.
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "base/file.h"
@@ -187,6 +188,27 @@ TEST_F(Snapshots, FilesThatAreNotSnapshotsAreNotListed) {
   ASSERT_EQ(run(json::array({click("panel.snapshots"), wait_for("snapshots"), file_step("state", path("s.json"))}), "cornell"), 0);
   ASSERT_EQ(state("s.json")["snapshots"]["files"].size(), 1U);
   EXPECT_EQ(state("s.json")["snapshots"]["files"][0]["name"], fs::path(file).filename().string());
+}
+
+// The image is complete, and a message says that it has no samples.
+TEST_F(Snapshots, AFullDiskForTheSamplesIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  fs::create_directories(gallery());
+  const std::time_t now = std::time(nullptr);
+  for (std::time_t t = now; t < now + 30; ++t) {
+    char stamp[32] = "";
+    std::tm local{};
+    localtime_r(&t, &local);
+    std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
+    fs::create_symlink("/dev/full", gallery() / ("cornell-" + std::string(stamp) + ".exr.checkpoint"));
+  }
+  ASSERT_EQ(run(joined(joined(joined(small(), open_panel()), save()), json::array({file_step("state", path("s.json"))})), "cornell"), 0);
+  const json errors = state("s.json")["errors"];
+  ASSERT_EQ(errors.size(), 1U) << errors;
+  EXPECT_NE(errors[0].get<std::string>().find(".exr.checkpoint"), std::string::npos) << errors;
+  const auto saved = files(".exr");
+  ASSERT_EQ(saved.size(), 1U);
+  EXPECT_EQ(paths_after_opening(saved.front()), 4U * 96 * 96);
 }
 
 // The picture is known while the scene is still being read.
