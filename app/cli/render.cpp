@@ -108,7 +108,7 @@ Result<Start> find_start(const RenderArguments& a) {
   if (!a.like.empty()) return start_like(a.like);
   if (a.scene.scene.empty())
     return usage_error("render: no scene; give a .gltf or .glb file, or one of " + scene::builtin_names());
-  auto document = render::new_document(a.scene.scene, a.scene.camera);
+  auto document = open_scene_or_session(a.scene.scene, a.scene.camera);
   if (!document) return document.error();
   return Start{.document = std::move(*document)};
 }
@@ -137,8 +137,14 @@ std::string sample_difference(const render::Document& a, const render::Document&
 Result<void> check_resumed(const RenderArguments& a, const render::Document& checkpoint, render::Document changed) {
   changed.limits = checkpoint.limits;
   std::string difference = sample_difference(checkpoint, changed);
-  if (!a.scene.scene.empty() && a.scene.scene != checkpoint.scene_name)
-    difference = "the scene is " + checkpoint.scene_name + ", not " + a.scene.scene;
+  std::string scene = a.scene.scene;
+  if (scene.ends_with(render::kSessionExtension)) {
+    const auto session = render::read_session_file(scene);
+    if (!session) return session.error();
+    scene = session->scene_name;
+  }
+  if (!scene.empty() && scene != checkpoint.scene_name)
+    difference = "the scene is " + checkpoint.scene_name + ", not " + scene;
   else if (!a.scene.camera.empty() && a.scene.camera != checkpoint.camera_name)
     difference = "the camera is " + checkpoint.camera_name + ", not " + a.scene.camera;
   if (difference.empty()) return {};
@@ -162,8 +168,9 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   if (auto r = set("camera.exposure", std::isnan(a.exposure) ? "" : std::to_string(a.exposure)); !r) return r;
   const std::string reason = render::adaptive_incompatibility(d.method.integrator);
   if (d.method.adaptive != render::Adaptive::off && !reason.empty()) return usage_error("render.adaptive: " + reason);
-  // Snapshots and checkpoints carry limits, which hold unless there are new ones.
-  const bool carries_limits = !a.like.empty() || !a.resume.empty();
+  // Snapshots, sessions and checkpoints carry limits, which hold unless there are new ones.
+  const bool is_session = a.scene.scene.ends_with(render::kSessionExtension);
+  const bool carries_limits = !a.like.empty() || !a.resume.empty() || is_session;
   if (a.samples > 0 || a.seconds > 0 || a.error > 0 || !carries_limits)
     d.limits = {a.samples, a.seconds, a.error, d.limits.measure};
   if (!a.measure.empty()) d.limits.measure = measure_of(a.measure);

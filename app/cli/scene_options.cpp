@@ -13,7 +13,7 @@ namespace etendue::cli {
 CommandOption scene_option(std::string& target, bool required) {
   return {.names = "scene",
           .target = &target,
-          .doc = "A glTF file (.gltf or .glb), or a built-in scene: " + scene::builtin_names(),
+          .doc = "A glTF file (.gltf or .glb), a session (.etendue), or a built-in scene: " + scene::builtin_names(),
           .required = required};
 }
 
@@ -145,9 +145,6 @@ Result<void> set_parameters(render::Document& document, const std::vector<std::s
   return {};
 }
 
-namespace {
-
-// A scene, or a session that the viewer has saved.
 Result<render::Document> open_scene_or_session(const std::string& file, const std::string& camera) {
   if (!file.ends_with(render::kSessionExtension)) return render::new_document(file, camera);
   auto document = render::read_session_file(file);
@@ -158,8 +155,6 @@ Result<render::Document> open_scene_or_session(const std::string& file, const st
   document->camera_name = camera;
   return document;
 }
-
-}  // namespace
 
 Result<render::Document> open_document(const SceneArguments& arguments) {
   auto document = open_scene_or_session(arguments.scene, arguments.camera);

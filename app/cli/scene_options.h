@@ -56,6 +56,9 @@ Result<std::vector<Setting>> parse_settings(const std::vector<std::string>& text
 // The size in a text like "1280x720". A size that an image cannot have is a usage error.
 Result<Vec2i> parse_size(const std::string& text);
 
+// Opens a scene, or a session that the viewer has saved, with this camera if one is named.
+Result<render::Document> open_scene_or_session(const std::string& file, const std::string& camera);
+
 // Opens a scene and applies the arguments in the order size, environment, settings, paths. The integrator "auto" is a
 // usage error.
 Result<render::Document> open_document(const SceneArguments& arguments);

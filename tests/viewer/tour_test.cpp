@@ -1,7 +1,6 @@
 // The tour of the guide: a scene from nothing, saved and opened again.
-#include <unistd.h>
-
 #include <cmath>
+#include <cstdlib>
 
 #include "scripted.h"
 
@@ -53,6 +52,9 @@ TEST_F(Tour, BuildsASceneFromNothingThatIsTheSameWhenReopened) {
   EXPECT_LT(share_that_differs("tour-before.exr", "tour-gltf.exr"), 1e-4);
   // The session and the glTF file are both opened from files.
   EXPECT_EQ(share_that_differs("tour-after.exr", "tour-gltf.exr"), 0);
+  // Without the viewer.
+  ASSERT_EQ(std::system((std::string(ETENDUE_BINARY) + " render tour.etendue -o tour-rendered.exr 2> errors.txt").c_str()), 0);
+  EXPECT_EQ(share_that_differs("tour-after.exr", "tour-rendered.exr"), 0);
   // There is something to see, and the painting is part of it.
   const auto pixels = saved_image("tour-before.exr").find("")->pixels;
   EXPECT_GT(*std::ranges::max_element(pixels), 0.1f);
