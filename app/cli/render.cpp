@@ -34,6 +34,7 @@
 #include "render_statistics.h"
 #include "revised_render.h"
 #include "scene/builtin/builtin.h"
+#include "sample_difference.h"
 #include "scene_options.h"
 #include "sequence_options.h"
 
@@ -111,26 +112,6 @@ Result<Start> find_start(const RenderArguments& a) {
   auto document = open_scene_or_session(a.scene.scene, a.scene.camera);
   if (!document) return document.error();
   return Start{.document = std::move(*document)};
-}
-
-// The first setting in which two documents of one scene differ and that changes what the samples are, as
-// "render.seed is 1, not 2"; empty if there is none.
-std::string sample_difference(const render::Document& a, const render::Document& b) {
-  const auto values_differ = [](const std::string& name, const std::string& x, const std::string& y) {
-    return x == y ? "" : name + " is " + x + ", not " + y;
-  };
-  for (const std::string& section : render::sections(a)) {
-    if (section == "display") continue;
-    const auto of_a = render::section_parameters(a, section), of_b = render::section_parameters(b, section);
-    for (size_t i = 0; i < std::min(of_a.size(), of_b.size()); ++i) {
-      const ParameterInfo& info = of_a[i].info;
-      if (info.name == "camera.exposure") continue;
-      const std::string text =
-          values_differ(info.name, to_string(info.default_value), to_string(of_b[i].info.default_value));
-      if (!text.empty()) return text;
-    }
-  }
-  return values_differ("the environment map", a.scene->environment.file, b.scene->environment.file);
 }
 
 // The arguments of a resumed rendering may repeat the settings of its checkpoint, but not change them.
