@@ -131,7 +131,9 @@ void take_opened_file(AppState& state) {
     state.store_settings();
   }
   if (file.kind == OpenedFile::Kind::environment) return use_environment(state, file);
-  state.after_unsaved_edits([file = std::move(file)](AppState& s) { open_document(s, file); });
+  // The function must be copyable; the samples of a snapshot are not copied.
+  const auto kept = std::make_shared<OpenedFile>(std::move(file));
+  state.after_unsaved_edits([kept](AppState& s) { open_document(s, std::move(*kept)); });
 }
 
 // The picture of a snapshot is shown until its rendering has an image.

@@ -335,6 +335,8 @@ Result<void> set_exr_attribute(const std::filesystem::path& path, const std::str
     std::string problem;
     try {
       MemoryStream in(*bytes, path.string());
+      if (Imf::MultiPartInputFile(in, 0, false).parts() > 1) throw std::runtime_error("the file has several parts");
+      in.seekg(0);
       Imf::InputFile source(in, 0);
       Imf::Header header = source.header();
       header.erase(name);

@@ -116,10 +116,14 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 
 namespace {
 
-// Whether the second of two successive edits makes the first one ineffective. One that adds its animation keeps its index.
-bool is_same_keyframe(const scene::StructuralEdit& last, const scene::StructuralEdit& edit) {
-  return last.kind == scene::EditKind::set_keyframe && last.node == edit.node && last.animation == edit.animation &&
-         last.time == edit.time && edit.animation >= 0;
+// The edit that `edit` makes ineffective, or null: one of the last keyframes, if it is that of the same object at the same
+// time. A drag sets the keyframes of all selected objects again and again. An edit that adds its animation is kept.
+scene::StructuralEdit* replaced_by(const scene::StructuralEdit& edit, std::vector<scene::StructuralEdit>& structure) {
+  using scene::EditKind;
+  if (edit.kind != EditKind::set_keyframe || edit.animation < 0) return nullptr;
+  for (auto last = structure.rbegin(); last != structure.rend() && last->kind == EditKind::set_keyframe; ++last)
+    if (last->node == edit.node && last->animation == edit.animation && last->time == edit.time) return &*last;
+  return nullptr;
 }
 
 }  // namespace
@@ -131,14 +135,10 @@ Result<Document> with_structural_edit(const Document& document, const scene::Str
   if (!scene) return scene.error();
   Document changed = document;
   changed.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-  // A drag sets the same keyframe again and again.
-  const bool replaces = complete.kind == scene::EditKind::set_keyframe && !changed.structure.empty() &&
-                        is_same_keyframe(changed.structure.back(), complete);
-  if (replaces) {
-    changed.structure.back().transform = complete.transform;
-  } else {
+  if (scene::StructuralEdit* replaced = replaced_by(complete, changed.structure))
+    *replaced = std::move(complete);
+  else
     changed.structure.push_back(std::move(complete));
-  }
   return changed;
 }
 

@@ -7,6 +7,7 @@
 #include "render/document_parameters_medium.h"
 #include "scene/animation.h"
 #include "scene/pose.h"
+#include "scene/keyframes.h"
 #include "scene/variants.h"
 
 namespace etendue::render {
@@ -144,7 +145,7 @@ DocumentParameters scene_parameters(const Document& document) {
   DocumentParameters list{make_parameter(
       "scene",
       Number<float>{
-          "time", "Time", scene.time, {0, std::max(1e4f, duration)}, "Time at which animations are evaluated", "s"},
+          "time", "Time", scene.time, {0, std::max(scene::kLongestAnimation, duration)}, "Time at which animations are evaluated", "s"},
       [](Document& d, float v) { change_pose(d, [v](scene::Scene& s) { s.time = v; }); })};
   if (scene.animations.size() > 1) list.push_back(clip_choice(scene));
   if (!scene.variants.empty()) list.push_back(variant_choice(scene));

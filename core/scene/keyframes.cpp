@@ -6,7 +6,6 @@
 #include <set>
 #include <span>
 
-#include "scene/animation.h"
 #include "scene/pose.h"
 #include "scene/rotation.h"
 
@@ -23,10 +22,6 @@ std::array<float, 4> value_of(const Transform& t, AnimatedPath path) {
   if (path == AnimatedPath::rotation) return {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w};
   const Vec3& v = path == AnimatedPath::translation ? t.translation : t.scale;
   return {v.x, v.y, v.z, 0};
-}
-
-bool is_transform_channel(const AnimationChannel& channel, int node) {
-  return channel.node == node && channel.path != AnimatedPath::weights;
 }
 
 // A quaternion and its negative are the same rotation; interpolation takes the shorter way between values.
@@ -51,18 +46,12 @@ void remove_key(AnimationChannel& channel, float time) {
   channel.times.erase(at);
 }
 
-// The channel of a path. A new one has the value of `transform` at the times of the other channels of the node.
-AnimationChannel& channel_of(Animation& animation, int node, AnimatedPath path, const Transform& transform) {
-  std::set<float> times;
-  for (AnimationChannel& channel : animation.channels) {
+// The channel of a path; a new one has no keys. With one key, its value is that of all times.
+AnimationChannel& channel_of(Animation& animation, int node, AnimatedPath path) {
+  for (AnimationChannel& channel : animation.channels)
     if (channel.node == node && channel.path == path) return channel;
-    if (is_transform_channel(channel, node)) times.insert(channel.times.begin(), channel.times.end());
-  }
-  AnimationChannel channel{.node = node, .path = path, .times = {}, .values = {}, .components = components_of(path)};
-  const auto value = value_of(transform, path);
-  for (const float time : times) set_key(channel, time, std::span(value).first(channel.components));
-  animation.channels.push_back(std::move(channel));
-  return animation.channels.back();
+  return animation.channels.emplace_back(
+      AnimationChannel{.node = node, .path = path, .times = {}, .values = {}, .components = components_of(path)});
 }
 
 float duration_of(const Animation& animation) {
@@ -129,7 +118,7 @@ Result<Scene> with_keyframe(Scene scene, int node, int animation, float time, co
   if (!has_animation(scene, animation)) return unknown_animation(animation);
   Animation changed = *scene.animations[static_cast<size_t>(animation)];
   for (const AnimatedPath path : kPaths) {
-    AnimationChannel& channel = channel_of(changed, node, path, transform);
+    AnimationChannel& channel = channel_of(changed, node, path);
     if (channel.interpolation != Interpolation::linear)
       return usage_error("the animation of this object has steps or curves; only linear ones can be edited");
     const auto value = value_of(transform, path);
@@ -154,22 +143,6 @@ Result<Scene> without_keyframe(Scene scene, int node, int animation, float time)
   std::erase_if(changed.channels, [](const AnimationChannel& channel) { return channel.times.empty(); });
   replace(scene, animation, std::move(changed));
   return scene;
-}
-
-Transform posed_transform(const Scene& scene, int node) {
-  const Transform& own = scene.nodes[static_cast<size_t>(node)].transform;
-  Transform posed = decompose(own).value_or(own);
-  bool is_animated = false;
-  for_each_channel(scene, [&](const AnimationChannel& channel) {
-    if (!is_transform_channel(channel, node)) return;
-    is_animated = true;
-    std::array<float, 4> v{};
-    sample_channel(channel, scene.time, v);
-    if (channel.path == AnimatedPath::translation) posed.translation = Vec3(v[0], v[1], v[2]);
-    if (channel.path == AnimatedPath::rotation) posed.rotation = Vec4(v[0], v[1], v[2], v[3]);
-    if (channel.path == AnimatedPath::scale) posed.scale = Vec3(v[0], v[1], v[2]);
-  });
-  return is_animated ? posed : own;
 }
 
 }  // namespace etendue::scene

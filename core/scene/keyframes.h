@@ -25,9 +25,6 @@ Result<Scene> with_keyframe(Scene scene, int node, int animation, float time, co
 // The scene without the keyframe of a node at this time. The last one takes the channels with it.
 Result<Scene> without_keyframe(Scene scene, int node, int animation, float time);
 
-// The transform of a node at the scene's time, with animations applied.
-Transform posed_transform(const Scene& scene, int node);
-
 // Keyframes nearer to each other are at the same time, in seconds.
 inline constexpr float kKeyframeTolerance = 1e-4f;
 inline constexpr float kLongestAnimation = 1e4f;  // seconds

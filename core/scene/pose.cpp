@@ -26,19 +26,23 @@ Mat4 rotation_matrix(const Vec4& rotation) {
   return m;
 }
 
+// Channels of morph weights change nothing.
+void apply_channel(const AnimationChannel& channel, float time, Transform& t) {
+  if (channel.path == AnimatedPath::weights) return;
+  std::array<float, 4> v{};
+  sample_channel(channel, time, v);
+  t.matrix.reset();
+  if (channel.path == AnimatedPath::translation) t.translation = Vec3(v[0], v[1], v[2]);
+  if (channel.path == AnimatedPath::rotation) t.rotation = Vec4(v[0], v[1], v[2], v[3]);
+  if (channel.path == AnimatedPath::scale) t.scale = Vec3(v[0], v[1], v[2]);
+}
+
 std::vector<Transform> animated_transforms(const Scene& scene, float time) {
   std::vector<Transform> transforms;
   transforms.reserve(scene.nodes.size());
   for (const Node& node : scene.nodes) transforms.push_back(node.transform);
   for_each_channel(scene, [&](const AnimationChannel& channel) {
-    if (channel.path == AnimatedPath::weights) return;
-    std::array<float, 4> v{};
-    sample_channel(channel, time, v);
-    Transform& t = transforms[static_cast<size_t>(channel.node)];
-    t.matrix.reset();
-    if (channel.path == AnimatedPath::translation) t.translation = Vec3(v[0], v[1], v[2]);
-    if (channel.path == AnimatedPath::rotation) t.rotation = Vec4(v[0], v[1], v[2], v[3]);
-    if (channel.path == AnimatedPath::scale) t.scale = Vec3(v[0], v[1], v[2]);
+    apply_channel(channel, time, transforms[static_cast<size_t>(channel.node)]);
   });
   return transforms;
 }
@@ -166,6 +170,21 @@ std::vector<size_t> playing_animations(const Scene& scene) {
     playing.push_back(i);
   }
   return playing;
+}
+
+bool has_animated_transform(const Scene& scene, int node) {
+  bool is_animated = false;
+  for_each_channel(scene,
+                   [&](const AnimationChannel& channel) { is_animated |= is_transform_channel(channel, node); });
+  return is_animated;
+}
+
+Transform posed_transform(const Scene& scene, int node) {
+  Transform posed = scene.nodes[static_cast<size_t>(node)].transform;
+  for_each_channel(scene, [&](const AnimationChannel& channel) {
+    if (channel.node == node) apply_channel(channel, scene.time, posed);
+  });
+  return posed;
 }
 
 std::vector<Mat4> world_matrices(const Scene& scene) { return world_matrices(scene, scene.time); }

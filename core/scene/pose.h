@@ -40,6 +40,15 @@ Mat4 camera_to_world(const Mat4& node);
 // The node of a camera; -1 if the camera was moved away from it.
 int node_of_camera(const Scene& scene, const Camera& camera);
 
+// Whether a channel changes the transform of a node.
+inline bool is_transform_channel(const AnimationChannel& channel, int node) {
+  return channel.node == node && channel.path != AnimatedPath::weights;
+}
+// Whether an animation that plays does.
+bool has_animated_transform(const Scene& scene, int node);
+// The transform of a node at the scene's time, with animations applied.
+Transform posed_transform(const Scene& scene, int node);
+
 // Calls apply(channel) for all channels of the playing animations.
 template <class Apply>
 void for_each_channel(const Scene& scene, Apply&& apply) {

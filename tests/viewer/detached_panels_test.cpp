@@ -9,11 +9,15 @@ TEST_F(Viewer, DetachedPanelsStayOpenBesideOthersAndReturn) {
       small(), json::array({click("panel.histogram"), click("layout.detach"), file_step("state", path("detached.json")),
                             click("panel.convergence"), wait_for("histogram"), file_step("state", path("both.json")),
                             {{"do", "drag"}, {"item", "detached.panel.histogram"}, {"by", {60, 40}}},
-                            file_step("screenshot", path("moved.png")), click("panel.histogram"),
+                            file_step("state", path("moved.json")), click("panel.histogram"),
                             file_step("state", path("returned.json"))}));
   ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
-  EXPECT_EQ(state("detached.json")["detached"], json::array({"panel.histogram"}));
+  ASSERT_TRUE(state("both.json")["detached"].contains("panel.histogram"));
   EXPECT_EQ(state("detached.json")["bottom_panel"], "");
+  const auto before = state("both.json")["detached"]["panel.histogram"].get<std::vector<double>>();
+  const auto after = state("moved.json")["detached"]["panel.histogram"].get<std::vector<double>>();
+  EXPECT_NEAR(after[0] - before[0], 60, 1);
+  EXPECT_NEAR(after[1] - before[1], 40, 1);
   EXPECT_EQ(state("both.json")["bottom_panel"], "panel.convergence");
   EXPECT_TRUE(state("returned.json")["detached"].empty());
   EXPECT_EQ(state("returned.json")["bottom_panel"], "panel.convergence");
@@ -26,10 +30,10 @@ TEST_F(Viewer, TabsOfTheRightColumnAreDetachedByTheirMenu) {
                             set("material.5.roughness", 0.25), set("camera.exposure", 1.0), file_step("state", path("edited.json")),
                             click("view.tab.material"), file_step("state", path("returned.json"))}));
   ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
-  EXPECT_EQ(state("detached.json")["detached"], json::array({"tab.material"}));
+  EXPECT_TRUE(state("detached.json")["detached"].contains("tab.material"));
   EXPECT_NE(state("detached.json")["tab"], "tab.material");
   EXPECT_EQ(state("edited.json")["parameters"]["material.5.roughness"], 0.25);
-  EXPECT_EQ(state("edited.json")["detached"], json::array({"tab.material"}));
+  EXPECT_TRUE(state("edited.json")["detached"].contains("tab.material"));
   EXPECT_TRUE(state("returned.json")["detached"].empty());
   EXPECT_EQ(state("returned.json")["tab"], "tab.material");
 }

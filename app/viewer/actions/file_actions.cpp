@@ -7,6 +7,7 @@
 #include "scene/builtin/builtin.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/actions/conditions.h"
+#include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/scene_export.h"
@@ -37,15 +38,6 @@ void request_image_export(AppState& state) {
                          [&state](const std::string& file) { state.files.image_export->request(file); });
 }
 
-// "FOLDER/NAME.exr", or "FOLDER/NAME-2.exr" and so on if there are such files already.
-std::string free_file(const std::filesystem::path& folder, const std::string& name) {
-  std::error_code code;
-  for (int i = 1;; ++i) {
-    const auto file = folder / (name + (i == 1 ? "" : "-" + std::to_string(i)) + ".exr");
-    if (!std::filesystem::exists(file, code)) return file.string();
-  }
-}
-
 // Asks for a file name only if there is no folder for snapshots.
 void save_snapshot(AppState& state) {
   const std::filesystem::path folder = snapshot_folder(state.settings);
@@ -53,7 +45,7 @@ void save_snapshot(AppState& state) {
   std::error_code code;
   std::filesystem::create_directories(folder, code);
   if (code) return state.notices.add_error(folder.string() + ": cannot be created: " + code.message());
-  state.files.image_export->request(free_file(folder, snapshot_name(state)),
+  state.files.image_export->request(unused_file(folder, snapshot_name(state), ".exr").string(),
                                     state.settings.snapshots_have_samples ? SavedSamples::checkpoint
                                                                           : SavedSamples::none);
 }

@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "render/session_file.h"
 #include "viewer/state/editor.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -37,15 +38,6 @@ bool is_in_use(const fs::path& journal) {
   if (descriptor < 0) return true;
   close(descriptor);
   return false;
-}
-
-// "2024-01-31 23:59".
-std::string local_time(std::time_t time) {
-  std::tm local{};
-  localtime_r(&time, &local);
-  char text[32] = "";
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-  return text;
 }
 
 // The scene of a state; empty if the file is damaged.
@@ -111,7 +103,7 @@ std::vector<LostSession> EditJournal::lost_sessions() const {
     if (file == file_ || file.extension() != render::kSessionExtension || stat(file.c_str(), &status) != 0 ||
         is_in_use(file))
       continue;
-    LostSession session{.file = file, .scene = scene_of(file), .last_edit = local_time(status.st_mtime)};
+    LostSession session{.file = file, .scene = scene_of(file), .last_edit = date_text(status.st_mtime)};
     if (session.scene.empty())
       discard(file);
     else

@@ -23,52 +23,54 @@ std::string certificate_of(const render::Session& session, const render::Documen
       advisor::certificate(separate_session, document, evidence, kCertificateSeconds, keep_going));
 }
 
-// Everything that an image file holds, except the certificate.
+// Everything that an image file and its checkpoint hold, except the certificate.
 struct Copies {
-  film::Film film;
+  render::ResumePoint point;
   std::optional<std::vector<float>> reweighted;
   render::Status status;
 };
 
-Result<void> write_copies(const std::string& file, const render::Session& session, const render::Document& document,
-                          Copies copies) {
-  std::string certificate;
-  if (render::stores_certificate(file))
-    certificate = certificate_of(session, document,
-                                 advisor::statistics_of(copies.film, copies.status, session.model(), 0));
-  return render::write_image(file, {document, copies.film, copies.status.samples, std::move(certificate),
-                                    std::move(copies.reweighted)});
+Copies copies_of(render::Session& session) {
+  return {session.resume_point(), session.reweighted_copy(), session.status()};
 }
 
-Result<void> write_samples(const std::string& image, const render::Document& document, render::ResumePoint point,
-                           const render::Status& status) {
+Result<void> write_copies(const std::string& file, const render::Session& session, const render::Document& document,
+                          const Copies& copies) {
+  const film::Film& film = copies.point.film;
+  std::string certificate;
+  if (render::stores_certificate(file))
+    certificate =
+        certificate_of(session, document, advisor::statistics_of(film, copies.status, session.model(), 0));
+  return render::write_image(file,
+                             {document, film, copies.status.samples, std::move(certificate), copies.reweighted});
+}
+
+Result<void> write_samples(const std::string& image, const render::Document& document, Copies copies) {
   return render::write_checkpoint(render::checkpoint_of_image(image),
-                                  {.state = render::state_json(document, status.samples),
-                                   .film = std::move(point.film),
-                                   .seconds = status.seconds,
-                                   .integrator_state = std::move(point.integrator_state),
-                                   .tails = std::move(point.tails)});
+                                  {.state = render::state_json(document, copies.status.samples),
+                                   .film = std::move(copies.point.film),
+                                   .seconds = copies.status.seconds,
+                                   .integrator_state = std::move(copies.point.integrator_state),
+                                   .tails = std::move(copies.point.tails)});
 }
 
 // Returns an empty name if the session has another version of the document.
 Result<std::string> write(const std::string& file, SavedSamples samples, render::Session& session,
                           const render::Document& document, uint64_t version) {
   if (auto known = render::check_output_name(file); !known) return known.error();
-  render::ResumePoint point = session.resume_point();
-  Copies copies{point.film, session.reweighted_copy(), session.status()};
+  Copies copies = copies_of(session);
   // If the document was edited before the copy, the film belongs to other settings.
   if (session.status().version != version) return std::string();
-  const render::Status status = copies.status;
-  if (auto written = write_copies(file, session, document, std::move(copies)); !written) return written.error();
+  if (auto written = write_copies(file, session, document, copies); !written) return written.error();
   if (samples == SavedSamples::none) return file;
-  if (auto written = write_samples(file, document, std::move(point), status); !written) return written.error();
+  if (auto written = write_samples(file, document, std::move(copies)); !written) return written.error();
   return file;
 }
 
 }  // namespace
 
 Result<void> write_image_of(render::Session& session, const render::Document& document, const std::string& file) {
-  return write_copies(file, session, document, {session.film_copy(), session.reweighted_copy(), session.status()});
+  return write_copies(file, session, document, copies_of(session));
 }
 
 void ImageExport::finish_pass() {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "image/image.h"
 #include "render/checkpoint.h"
+#include "render/document.h"
 #include "render/image_output.h"
 #include "render/state_difference.h"
 #include "viewer/files/file_names.h"
+#include "viewer/state/document_info.h"
 #include "viewer/state/notices.h"
 
 namespace etendue::viewer {
@@ -17,14 +19,21 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string date_of(fs::file_time_type time) {
-  const auto system = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
-      time - fs::file_time_type::clock::now() + std::chrono::system_clock::now());
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(system);
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char text[32] = "";
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-  return text;
+  const auto since_1970 = std::chrono::file_clock::to_sys(time).time_since_epoch();
+  return date_text(std::chrono::duration_cast<std::chrono::seconds>(since_1970).count());
+}
+
+// The label of the integrator of a state, also of one that was chosen automatically.
+std::string integrator_of(const std::string& state) {
+  const auto json = nlohmann::json::parse(state, nullptr, false);
+  const auto text = [&](const char* object, const char* name, const std::string& otherwise) {
+    const auto members = json.is_object() ? json.find(object) : json.end();
+    if (members == json.end() || !members->is_object()) return otherwise;
+    const auto member = members->find(name);
+    return member != members->end() && member->is_string() ? member->get<std::string>() : otherwise;
+  };
+  const std::string name = text("settings", "render.integrator", render::MethodSettings{}.integrator);
+  return integrator_label(name == render::kAutomatic ? text("automatic", "integrator", name) : name);
 }
 
 uint64_t size_of(const fs::path& file) {
@@ -46,6 +55,7 @@ SnapshotInfo read_info(const std::string& file, fs::file_time_type time) {
   info.height = header->height;
   info.state = text(render::kStateAttribute);
   info.notes = text(kNotesAttribute);
+  info.integrator = integrator_of(info.state);
   info.samples = render::samples_of_state(info.state);
   info.bytes = size_of(file);
   return info;

@@ -16,10 +16,11 @@ inline constexpr const char* kNotesAttribute = "comments";
 
 struct SnapshotInfo {
   std::string file;
-  std::filesystem::file_time_type time{};
-  std::string date{};  // of the last change, local time
+  std::filesystem::file_time_type time{};  // of the last change
+  std::string date{};                      // the same as text
   int width = 0, height = 0;
-  std::string state{};  // render::state_json
+  std::string state{};       // render::state_json
+  std::string integrator{};  // its label
   uint32_t samples = 0;
   std::string notes{};
   uint64_t bytes = 0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <utility>
 
 #include "viewer/files/file_names.h"
@@ -29,17 +28,6 @@ int64_t change_time(const fs::directory_entry& entry) {
   if (code) return 0;
   const auto system = std::chrono::file_clock::to_sys(time);
   return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
-}
-
-// "2024-01-31 23:59", local time.
-std::string date_text(int64_t seconds) {
-  if (seconds == 0) return "";
-  const auto time = static_cast<std::time_t>(seconds);
-  std::tm local{};
-  localtime_r(&time, &local);
-  char text[32] = "";
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-  return text;
 }
 
 std::string size_text(uintmax_t bytes) {

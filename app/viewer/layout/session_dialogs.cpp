@@ -16,12 +16,6 @@
 namespace etendue::viewer {
 namespace {
 
-bool dialog_button(AppState& state, const char* label, const char* name) {
-  const bool pressed = ImGui::Button(label);
-  state.ui.items.add(name);
-  return pressed;
-}
-
 enum class LostSessionChoice { none, recover, discard };
 
 LostSessionChoice draw_lost_session(AppState& state, const LostSession& session) {

@@ -11,6 +11,7 @@
 #include "render/session.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_counts.h"
+#include "scene/pose.h"
 #include "scene/rotation.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
@@ -79,14 +80,6 @@ bool is_ancestor(const scene::Scene& scene, int ancestor, int node) {
   return false;
 }
 
-bool is_animated(const scene::Scene& scene, int index) {
-  const auto moves_node = [&](const scene::AnimationChannel& channel) {
-    return channel.node == index && channel.path != scene::AnimatedPath::weights;
-  };
-  return std::ranges::any_of(
-      scene.animations, [&](const auto& animation) { return std::ranges::any_of(animation->channels, moves_node); });
-}
-
 // The name of the selected node, which is applied when the field is left or Enter is pressed.
 void name_field(AppState& state, const scene::Node& node) {
   std::array<char, 256> text{};
@@ -114,9 +107,9 @@ void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   section_widgets(state, "node." + std::to_string(index));
   if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
-  if (is_animated(scene, index))
-    note(state.ui, "Keyframes move this object. The values above hold where there are none; handles and Set keyframe change "
-                   "the place at the present time.");
+  if (scene::has_animated_transform(scene, index))
+    note(state.ui, "Keyframes place this object, and the values above have no effect. Handles and Set keyframe change its place "
+                   "at the present time.");
   if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
   action_button(state, "view.frame-selection");
   ImGui::SameLine();

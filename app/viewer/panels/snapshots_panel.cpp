@@ -37,19 +37,6 @@ constexpr float kMarkWidth = 2;  // of the frame around a selected picture, unit
 constexpr const char* kNotesItem = "snapshots.notes";
 constexpr const char* kDeleteDialog = "##delete-snapshot";
 
-// The integrator of a state, by its label.
-std::string integrator_of(const std::string& state) {
-  const auto json = nlohmann::json::parse(state, nullptr, false);
-  const auto text = [](const nlohmann::json& j, const char* name, const std::string& otherwise) {
-    return j.is_object() && j.contains(name) && j[name].is_string() ? j[name].get<std::string>() : otherwise;
-  };
-  if (!json.is_object() || !json.contains("settings")) return "";
-  const std::string name = text(json["settings"], "render.integrator", render::MethodSettings{}.integrator);
-  return integrator_label(name == render::kAutomatic && json.contains("automatic")
-                              ? text(json["automatic"], "integrator", name)
-                              : name);
-}
-
 // "~/Pictures" for a folder in the home folder of the user.
 std::string shortened_home(const std::string& folder) {
   const char* home = std::getenv("HOME");
@@ -62,21 +49,26 @@ struct DifferenceRow {
   std::string label, left, right;
 };
 
-std::string value_text(const render::Document& document, const std::string& name, const std::string& value) {
-  const auto parameter = document_parameter(document, name);
-  if (!parameter) return value;
-  const ParameterInfo& info = parameter->info;
+std::string value_text(const ParameterInfo& info, const std::string& value) {
   for (size_t i = 0; i < info.options.size() && i < info.option_labels.size(); ++i)
     if (info.options[i] == value) return info.option_labels[i];
   return info.unit.empty() ? value : value + " " + info.unit;
 }
 
 // States leave out values that are those of the scene as it was opened.
-std::string original_text(const render::Document& document, const std::string& name) {
-  if (document.origin)
-    if (const auto value = render::get(*document.origin, name))
-      return value_text(document, name, to_string(*value));
-  return "default";
+std::string original_text(const render::Document& document, const ParameterInfo& info) {
+  if (!document.origin) return "default";
+  const auto value = render::get(*document.origin, info.name);
+  return value ? value_text(info, to_string(*value)) : "default";
+}
+
+DifferenceRow row_of(const render::Document& document, const render::SettingDifference& d) {
+  const auto parameter = document_parameter(document, d.name);
+  const auto text = [&](const std::string& value) {
+    if (!parameter) return value.empty() ? std::string("none") : value;
+    return value.empty() ? original_text(document, parameter->info) : value_text(parameter->info, value);
+  };
+  return {parameter ? full_label(document, *parameter) : label_of_name(d.name), text(d.a), text(d.b)};
 }
 
 std::vector<DifferenceRow> difference_rows(const render::Document& document, const std::string& left,
@@ -84,15 +76,26 @@ std::vector<DifferenceRow> difference_rows(const render::Document& document, con
   std::vector<DifferenceRow> rows;
   const auto differences = render::differences_of_states(left, right);
   if (!differences) return rows;
-  for (const render::SettingDifference& d : *differences) {
-    const auto parameter = document_parameter(document, d.name);
-    const auto text = [&](const std::string& value) {
-      if (!parameter) return value.empty() ? std::string("none") : value;
-      return value.empty() ? original_text(document, d.name) : value_text(document, d.name, value);
-    };
-    rows.push_back({parameter ? full_label(document, *parameter) : label_of_name(d.name), text(d.a), text(d.b)});
-  }
+  for (const render::SettingDifference& d : *differences) rows.push_back(row_of(document, d));
   return rows;
+}
+
+const std::vector<ItemInfo>& all_items() {
+  static const std::vector<ItemInfo> list{
+      {"snapshots.N", "Snapshot", "Selects a snapshot. Ctrl+click selects a second one, a double click opens it"},
+      {"snapshots.open", "Open", "Shows the picture, restores all settings, and continues with the samples"},
+      {"snapshots.use-a", "Use as A", "Compares the picture with image B"},
+      {"snapshots.use-b", "Use as B", "Compares the image with this picture"},
+      {"snapshots.compare", "Compare A | B", "Shows the two selected snapshots on both sides of a divider"},
+      {"snapshots.delete", "Delete...", "Deletes the file and its samples"},
+      {"snapshots.delete-yes", "Delete", "Deletes the file and its samples"},
+      {"snapshots.delete-no", "Cancel", "Keeps the file"},
+      {kNotesItem, "Notes", "Text that is kept in the file, where other programs show it as comments"}};
+  return list;
+}
+
+const std::string& description_of(const char* item) {
+  return std::ranges::find(all_items(), item, &ItemInfo::name)->description;
 }
 
 class SnapshotsPanel final : public Panel {
@@ -120,17 +123,7 @@ class SnapshotsPanel final : public Panel {
     draw_delete_dialog(state);
   }
 
-  std::vector<ItemInfo> items() const override {
-    return {{"snapshots.N", "Snapshot", "Selects a snapshot. Ctrl+click selects a second one, double-click opens it"},
-            {"snapshots.open", "Open", "Shows the picture, restores all settings, and continues with the samples"},
-            {"snapshots.use-a", "Use as A", "Compares the picture with image B"},
-            {"snapshots.use-b", "Use as B", "Compares the image with this picture"},
-            {"snapshots.compare", "Compare A | B", "Shows the two selected snapshots on both sides of a divider"},
-            {"snapshots.delete", "Delete...", "Deletes the file and its samples"},
-            {"snapshots.delete-yes", "Delete", "Deletes the file and its samples"},
-            {"snapshots.delete-no", "Cancel", "Keeps the file"},
-            {kNotesItem, "Notes", "Text that is kept in the file"}};
-  }
+  std::vector<ItemInfo> items() const override { return all_items(); }
 
   bool reveal_parameter(AppState&, const std::string& name) override { return name == kNotesItem; }
 
@@ -268,11 +261,11 @@ class SnapshotsPanel final : public Panel {
   // The first line of the notes, or the method.
   static std::string caption(const SnapshotInfo& info) {
     const std::string line = info.notes.substr(0, info.notes.find('\n'));
-    return line.empty() ? formatted("%u spp, %s", info.samples, integrator_of(info.state).c_str()) : line;
+    return line.empty() ? formatted("%u spp, %s", info.samples, info.integrator.c_str()) : line;
   }
 
   static std::string description(const SnapshotInfo& info) {
-    return formatted("%s, %u spp, %d x %d, %s", integrator_of(info.state).c_str(), info.samples, info.width, info.height,
+    return formatted("%s, %u spp, %d x %d, %s", info.integrator.c_str(), info.samples, info.width, info.height,
                      info.date.c_str());
   }
 
@@ -295,8 +288,7 @@ class SnapshotsPanel final : public Panel {
     if (!is_first) same_line_if_fits(ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x);
     const bool pressed = ImGui::Button(label);
     state.ui.items.add(item);
-    for (const ItemInfo& listed : items())
-      if (listed.name == item && ImGui::IsItemHovered()) tooltip(state.ui, listed.description);
+    if (ImGui::IsItemHovered()) tooltip(state.ui, description_of(item));
     return pressed;
   }
 
@@ -320,7 +312,7 @@ class SnapshotsPanel final : public Panel {
       ImGui::GetWindowDrawList()->AddText({corner.x + padding.x, corner.y + padding.y},
                                           ImGui::GetColorU32(state.ui.theme.secondary_text), "Notes");
     state.ui.items.add(kNotesItem);
-    if (ImGui::IsItemHovered()) tooltip(state.ui, "Text that is kept in the file, where other programs show it as comments");
+    if (ImGui::IsItemHovered()) tooltip(state.ui, description_of(kNotesItem));
     if (const auto requested = state.ui.items.take_request(kNotesItem)) {
       notes_ = *requested;
       state.ui.items.answer("");
@@ -369,11 +361,9 @@ class SnapshotsPanel final : public Panel {
                 base_name(files.front()).c_str());
     ImGui::TextDisabled("The picture and its samples cannot be recovered.");
     ImGui::Spacing();
-    const bool yes = ImGui::Button("Delete");
-    state.ui.items.add("snapshots.delete-yes");
+    const bool yes = dialog_button(state, "Delete", "snapshots.delete-yes");
     ImGui::SameLine();
-    const bool no = ImGui::Button("Cancel") || escape_is_pressed();
-    state.ui.items.add("snapshots.delete-no");
+    const bool no = dialog_button(state, "Cancel", "snapshots.delete-no") || escape_is_pressed();
     if (yes || no) {
       ImGui::CloseCurrentPopup();
       asks_to_delete_ = false;

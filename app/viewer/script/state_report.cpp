@@ -138,8 +138,13 @@ std::string state_report(AppState& state) {
   const Selection& selection = state.selection;
   const Panel* tab = state.panels.open_tab();
   const Panel* bottom_panel = state.panels.open_bottom_panel();
-  json detached = json::array();
-  for (const Panel* panel : state.panels.detached()) detached.push_back(panel->info().name);
+  // The titles of the windows of detached panels.
+  json detached = json::object();
+  for (const Panel* panel : state.panels.detached()) {
+    const std::string name = panel->info().name;
+    const Placement* title = state.ui.items.find("detached." + name);
+    detached[name] = title ? placement_json(*title) : json();
+  }
   json j{{"parameters", document_parameters(state)},
          {"detached", detached},
          {"edited", editor.has_unsaved_scene_edits()},

@@ -7,6 +7,7 @@
 #include "render/material_settings.h"
 #include "scene/structural_edit.h"
 #include "viewer/panels/object_names.h"
+#include "viewer/files/file_names.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 
@@ -198,9 +199,7 @@ std::string save_to_library(AppState& state) {
   std::error_code code;
   fs::create_directories(folder, code);
   const std::string stem = file_stem_of(material_name(state, selected_material(state)));
-  fs::path file = folder / (stem + render::kMaterialExtension);
-  for (int i = 2; fs::exists(file, code); ++i)
-    file = folder / (stem + " " + std::to_string(i) + render::kMaterialExtension);
+  const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
   const auto written =
       render::write_material_file(file.string(), *state.document().scene, selected_material(state));
   if (!written) {

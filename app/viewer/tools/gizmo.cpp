@@ -72,18 +72,10 @@ std::array<Vec3, 4> plane_square(const Vec3& origin, const Mat3& axes, int axis,
           origin + u * kPlaneTo + v * kPlaneTo, origin + u * kPlaneFrom + v * kPlaneTo};
 }
 
-bool is_animated_node(const scene::Scene& scene, int node) {
-  bool animated = false;
-  scene::for_each_channel(scene, [&](const scene::AnimationChannel& channel) {
-    animated |= channel.node == node && channel.path != scene::AnimatedPath::weights;
-  });
-  return animated;
-}
-
 // An animated object is moved by its keyframes.
 bool is_movable(const scene::Scene& scene, int node) {
   if (scene.nodes[static_cast<size_t>(node)].skin >= 0) return false;
-  return !is_animated_node(scene, node) || scene::keyframe_obstacle(scene, node).empty();
+  return !scene::has_animated_transform(scene, node) || scene::keyframe_obstacle(scene, node).empty();
 }
 
 ImVec2 to_im(Vec2 p) { return {p.x, p.y}; }
@@ -348,7 +340,7 @@ void Gizmo::apply(AppState& state, const Change& change) {
   std::vector<std::pair<int, scene::Transform>> keyframes;
   for (const Moved& moved : drag_->moved)
     if (const auto transform = changed_transform(moved, change)) {
-      if (is_animated_node(*scene, moved.node))
+      if (scene::has_animated_transform(*scene, moved.node))
         keyframes.emplace_back(moved.node, *transform);
       else
         scene->nodes[static_cast<size_t>(moved.node)].transform = *transform;

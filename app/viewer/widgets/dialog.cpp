@@ -1,5 +1,7 @@
 #include "viewer/widgets/dialog.h"
 
+#include "viewer/state/app_state.h"
+
 namespace etendue::viewer {
 
 bool begin_dialog(const char* name, const ImVec2& size) {
@@ -15,6 +17,12 @@ bool begin_dialog(const char* name, const ImVec2& size) {
   const bool is_drawn = ImGui::BeginPopupModal(name, nullptr, flags);
   ImGui::PopStyleVar();
   return is_drawn;
+}
+
+bool dialog_button(AppState& state, const char* label, const char* name) {
+  const bool pressed = ImGui::Button(label);
+  state.ui.items.add(name);
+  return pressed;
 }
 
 bool escape_is_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }

@@ -4,9 +4,14 @@
 
 namespace etendue::viewer {
 
+struct AppState;
+
 // Opens the dialog if it is closed, and begins it. It is as large as its content if `size` is zero. Returns whether to
 // draw the content, which ends with ImGui::EndPopup. Escape does not close it.
 bool begin_dialog(const char* name, const ImVec2& size = {0, 0});
+
+// A button that scripts find as `item`.
+bool dialog_button(AppState& state, const char* label, const char* item);
 
 bool escape_is_pressed();
 

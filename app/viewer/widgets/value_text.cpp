@@ -1,5 +1,6 @@
 #include "viewer/widgets/value_text.h"
 
+#include <ctime>
 #include <cctype>
 #include <cstdarg>
 #include <cstdio>
@@ -19,6 +20,16 @@ std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(seconds);
   if (whole >= 3600) return formatted("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
   return formatted("%lld:%02lld", whole / 60, whole % 60);
+}
+
+std::string date_text(int64_t seconds) {
+  if (seconds == 0) return "";
+  const auto time = static_cast<std::time_t>(seconds);
+  std::tm local{};
+  localtime_r(&time, &local);
+  char text[32] = "";
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
+  return text;
 }
 
 std::string memory_text(size_t bytes) {

@@ -1,6 +1,7 @@
 // Numbers and times as text.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "viewer/widgets/unicode.h"
@@ -12,6 +13,8 @@ namespace etendue::viewer {
 
 // A duration: "0:48", "1:02:03".
 std::string clock_text(double seconds);
+// A date in local time: "2024-01-31 23:59"; empty for 0.
+std::string date_text(int64_t seconds_since_1970);
 // A number of bytes: "312 kB", "1.4 GB".
 std::string memory_text(size_t bytes);
 

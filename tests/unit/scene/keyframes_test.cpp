@@ -8,6 +8,7 @@
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/load_gltf.h"
 #include "scene/gltf/save_gltf.h"
+#include "scene/pose.h"
 #include "scene/structural_edit.h"
 
 namespace etendue::scene {
@@ -115,6 +116,47 @@ TEST(Keyframes, FilesKeepThem) {
   const auto still = load_gltf(file);
   ASSERT_TRUE(still) << still.error().message;
   EXPECT_TRUE(still->animations.empty());
+}
+
+// A file that animates the translation only. The keyframes that a drag sets one after the other leave no trace of the
+// earlier ones, for one object and for two.
+TEST(Keyframes, RepeatedOnesAreRestoredAsTheLast) {
+  Scene moving = find_builtin("cornell")->make();
+  Animation animation{.name = "slide", .channels = {}, .duration = 3};
+  animation.channels.push_back({.node = kNode, .times = {0, 3}, .values = {0, 0, 0, 1, 0, 0}});
+  moving.animations.push_back(std::make_shared<const Animation>(animation));
+  const std::string file = testing::TempDir() + "slide.glb";
+  ASSERT_TRUE(save_gltf(moving, file));
+  auto document = render::new_document(file);
+  ASSERT_TRUE(document) << document.error().message;
+  for (const float x : {0.1f, 0.2f, 0.3f})
+    for (const int node : {kNode, kNode + 1}) {
+      StructuralEdit edit{.kind = EditKind::set_keyframe, .node = node, .transform = at(x)};
+      edit.transform.rotation = Vec4(x, 0, 0, 1);
+      edit.animation = 0;
+      edit.time = 1;
+      document = render::with_structural_edit(*document, edit);
+      ASSERT_TRUE(document) << document.error().message;
+    }
+  EXPECT_EQ(document->structure.size(), 2U);
+  auto restored = render::document_from_state(render::state_json(*document, 0), "test");
+  ASSERT_TRUE(restored) << restored.error().message;
+  for (const double time : {0.0, 0.5, 1.0, 2.5, 4.0}) {
+    const auto live = render::with(*document, "scene.time", Value(time)), again = render::with(*restored, "scene.time", Value(time));
+    ASSERT_TRUE(live && again);
+    for (const int node : {kNode, kNode + 1})
+      EXPECT_EQ(posed_transform(*live->scene, node), posed_transform(*again->scene, node)) << time;
+  }
+}
+
+// Editing shows the place that the renderer uses.
+TEST(Keyframes, ThePosedTransformIsThatOfTheWorldMatrices) {
+  Scene scene = with_keys(find_builtin("cornell")->make());
+  scene.nodes[kNode].transform = {.matrix = Mat4(2)};
+  for (const float time : {0.0f, 0.7f, 5.0f}) {
+    scene.time = time;
+    EXPECT_EQ(posed_transform(scene, kNode).to_matrix(), world_matrices(scene)[kNode]) << time;
+  }
 }
 
 }  // namespace
