@@ -35,10 +35,9 @@ for dialog in preferences:ctrl+, open:ctrl+o export-image:ctrl+e export-scene:ct
   picture "dialog-${dialog%%:*}" "$(key "${dialog#*:}")"
   steps+=("$(key escape)")
 done
-for tab in render scene material light camera display; do picture "tab-$tab" "$(click "tab.$tab")"; done
-for panel in convergence histogram reliability paths techniques sampling trace radiosity surface lab messages; do
-  picture "panel-$panel" "$(click "panel.$panel")"
-done
+# The panels of the registry.
+panels=$("$program" list widgets --json | grep -oE '"view\.(tab|panel)\.[a-z]+"' | tr -d '"' | sed 's/^view\.//')
+for panel in $panels; do picture "${panel/./-}" "$(click "$panel")"; done
 
 script=$(mktemp --suffix=.json)
 trap 'rm -f "$script"' EXIT

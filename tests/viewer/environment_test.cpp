@@ -1,5 +1,6 @@
 // The environment: turned by a drag over the image, and its strength in EV.
 #include <cmath>
+#include <numeric>
 
 #include "scripted.h"
 
@@ -28,6 +29,35 @@ TEST_F(EnvironmentDrag, TurnsInOneStepOfUndo) {
   EXPECT_EQ(rotation("d.json"), a);
   EXPECT_EQ(state("b.json")["undo_depth"], state("a.json")["undo_depth"].get<int>() + 1);
   EXPECT_EQ(state("b.json")["parameters"]["camera.yfov"], state("a.json")["parameters"]["camera.yfov"]);
+}
+
+// The sun moves with the pointer.
+TEST_F(EnvironmentDrag, FollowsThePointer) {
+  constexpr int kAngles = 12;
+  const auto image = [&](const std::string& name) {
+    return json::array({{{"do", "wait"}, {"spp", 4}}, file_step("image", path(name))});
+  };
+  const auto at_angle = [](int i) { return json::array({set("environment.rotation", 2 * M_PI * i / kAngles)}); };
+  const json start = joined(small(), json::array({click("environment.sunset"), set("environment.visible", true),
+                                                  set("camera.yfov", 1.6), set("film.width", 192)}));
+  // The column of the brightest pixel, if it is much brighter than the others.
+  const auto column = [&](const std::string& name) {
+    const auto read = saved_image(name);
+    const auto& pixels = read.find("")->pixels;
+    const auto brightest = std::ranges::max_element(pixels);
+    const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
+    const bool is_sun = static_cast<double>(*brightest) > 5 * mean;
+    return is_sun ? static_cast<int>((brightest - pixels.begin()) / 3) % read.width : -1;
+  };
+  json steps = start;
+  for (int i = 0; i < kAngles; ++i) steps = joined(joined(steps, at_angle(i)), image("r" + std::to_string(i) + ".exr"));
+  ASSERT_EQ(run(steps, "new"), 0);
+  int angle = -1;
+  for (int i = 0; i < kAngles; ++i)
+    if (const int x = column("r" + std::to_string(i) + ".exr"); x > 40 && x < 130) angle = i;
+  ASSERT_GE(angle, 0) << "the sun is never in view";
+  ASSERT_EQ(run(joined(joined(joined(start, at_angle(angle)), json::array({turn(30)})), image("turned.exr")), "new"), 0);
+  EXPECT_GT(column("turned.exr"), column("r" + std::to_string(angle) + ".exr") + 5);
 }
 
 TEST_F(EnvironmentDrag, ChangesNothingWithoutAnEnvironment) {

@@ -1,4 +1,10 @@
 // Reading and writing OpenEXR: exact round trips, data and display windows, damaged files.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -226,6 +232,61 @@ TEST(Exr, ReadsReferenceImages) {
     EXPECT_TRUE(std::isfinite(sum) && sum > 0) << entry.path();
   }
   if (found == 0) GTEST_SKIP() << "no EXR in " << data;
+}
+
+TEST(ExrAttribute, IsReplacedAndRemovedWithoutTouchingThePixels) {
+  const std::filesystem::path file = testing::TempDir() + "attribute.exr";
+  ASSERT_TRUE(image::write_exr(file, four_layers()));
+  for (const char* text : {"first", "a longer text\nwith two lines", ""}) {
+    ASSERT_TRUE(image::set_exr_attribute(file, "comments", text));
+    const auto read = read_exr(file);
+    ASSERT_TRUE(read) << read.error().message;
+    const auto found = read->attributes.find("comments");
+    EXPECT_EQ(found == read->attributes.end() ? "" : found->second, text);
+    EXPECT_EQ(read->attributes.at("title"), "\xc3\x89tendue");
+    ASSERT_EQ(read->layers.size(), four_layers().layers.size());
+    for (const Layer& layer : four_layers().layers) EXPECT_EQ(read->find(layer.name)->pixels, layer.pixels) << layer.name;
+  }
+}
+
+TEST(ExrAttribute, BadFilesStayAsTheyAre) {
+  const std::filesystem::path file = testing::TempDir() + "bad.exr";
+  EXPECT_FALSE(image::set_exr_attribute(testing::TempDir() + "missing.exr", "comments", "text"));
+  ASSERT_TRUE(write_file(file, "no image", 8));
+  EXPECT_FALSE(image::set_exr_attribute(file, "comments", "text"));
+  ASSERT_TRUE(image::write_exr(file, four_layers()));
+  const auto whole = read_file(file);
+  ASSERT_TRUE(whole && write_file(file, whole->data(), whole->size() - 40));
+  const auto before = read_file(file);
+  EXPECT_FALSE(image::set_exr_attribute(file, "comments", "text"));
+  EXPECT_EQ(*read_file(file), *before);
+}
+
+// The library would keep the first part only.
+TEST(ExrAttribute, FilesWithSeveralPartsAreRefused) {
+  const std::filesystem::path file = testing::TempDir() + "parts.exr";
+  std::vector<Imf::Header> headers(2, Imf::Header(2, 2));
+  for (size_t i = 0; i < 2; ++i) {
+    headers[i].setName("part " + std::to_string(i));
+    headers[i].setType(Imf::SCANLINEIMAGE);
+    headers[i].channels().insert("Z", Imf::Channel(Imf::FLOAT));
+  }
+  {
+    Imf::MultiPartOutputFile out(file.c_str(), headers.data(), 2);
+    std::vector<float> pixels(4, 0.5f);
+    for (int i = 0; i < 2; ++i) {
+      Imf::FrameBuffer source;
+      source.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), 4, 8));
+      Imf::OutputPart part(out, i);
+      part.setFrameBuffer(source);
+      part.writePixels(2);
+    }
+  }
+  const auto before = read_file(file);
+  const auto written = image::set_exr_attribute(file, "comments", "text");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("several parts"), std::string::npos) << written.error().message;
+  EXPECT_EQ(*read_file(file), *before);
 }
 
 }  // namespace

@@ -88,6 +88,28 @@ TEST(Checkpoint, ResumesToTheSameBits) {
   std::filesystem::remove(path);
 }
 
+// Time limits include the earlier time, and speeds are those of the new samples.
+TEST(Checkpoint, TheTimeOfEarlierSamplesCounts) {
+  auto d = test::cornell(32);
+  d.limits = {0, 4, 0};
+  render::ResumePoint point(test::rendered(d, 2));
+  point.seconds = 5;
+  render::Session over({.threads = 1, .interactive = false});
+  over.submit(d, point);
+  over.finish();
+  EXPECT_EQ(over.status().samples, 2U);
+  EXPECT_GE(over.status().seconds, 5);
+  EXPECT_EQ(over.status().paths_per_second, 0);
+
+  d.limits = {4, 0, 0};
+  point.seconds = 1e6;
+  render::Session longer({.threads = 1, .interactive = false});
+  longer.submit(d, point);
+  longer.finish();
+  EXPECT_GT(longer.status().seconds, 1e6);
+  EXPECT_GT(longer.status().paths_per_second, 100) << "relative to a million seconds, it would be next to nothing";
+}
+
 TEST(Checkpoint, DamagedFilesAreRejected) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-damaged.checkpoint";
   ASSERT_TRUE(render::write_checkpoint(path, {"{}", film::Film(8, 8), 0}));
