@@ -52,6 +52,9 @@ struct LayeredImage {
   }
 };
 
+// The pixels of a layer with three channels; none if it has another number.
+std::vector<Rgb> rgb_pixels(const Layer& layer);
+
 // Decodes any format, with the first one to four channels; `name` is used in messages. Images of more than 2^28 pixels
 // are an error, which is detected before memory is allocated for them. Formats other than PNG, JPEG, WebP and Radiance
 // HDR need the plugin (image/plugin.h); integers of more than 8 bits are rounded to 8.

@@ -96,4 +96,13 @@ Result<LayeredImage> read_linear(const std::filesystem::path& path) {
   return linear;
 }
 
+std::vector<Rgb> rgb_pixels(const Layer& layer) {
+  std::vector<Rgb> pixels;
+  if (layer.channels.size() != 3) return pixels;
+  pixels.reserve(layer.pixels.size() / 3);
+  for (size_t i = 0; i + 2 < layer.pixels.size(); i += 3)
+    pixels.emplace_back(layer.pixels[i], layer.pixels[i + 1], layer.pixels[i + 2]);
+  return pixels;
+}
+
 }  // namespace etendue::image

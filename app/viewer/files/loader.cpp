@@ -44,8 +44,7 @@ std::shared_ptr<const StoredPicture> picture_of(const image::LayeredImage& image
   picture->width = image.width;
   picture->height = image.height;
   picture->display = render::display_from_state(state);
-  for (size_t i = 0; i + 2 < layer->pixels.size(); i += 3)
-    picture->pixels.emplace_back(layer->pixels[i], layer->pixels[i + 1], layer->pixels[i + 2]);
+  picture->pixels = image::rgb_pixels(*layer);
   return picture;
 }
 

@@ -3,26 +3,12 @@
 #include <utility>
 
 #include "render/document.h"
-#include "viewer/panels/object_names.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
-
-// "material.3" as "Material 3", or with the name of the object.
-std::string section_label(const render::Document& document, const std::string& section) {
-  const auto& scene = *document.scene;
-  const auto name = [&](const auto& list, const char* kind) -> std::string {
-    const auto index = object_index(section + ".", kind);
-    const bool exists = index && static_cast<size_t>(*index) < list.size();
-    return exists ? list[static_cast<size_t>(*index)].name : "";
-  };
-  std::string label = name(scene.materials, "material");
-  if (label.empty()) label = name(scene.lights, "light");
-  if (label.empty()) label = name(scene.nodes, "node");
-  return label.empty() ? section : label;
-}
 
 void add_actions(const AppState& state, std::vector<PaletteEntry>& entries) {
   for (const Action& action : state.actions.all()) {

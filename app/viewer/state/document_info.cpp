@@ -7,23 +7,21 @@
 #include "render/document.h"
 #include "scene/builtin/builtin.h"
 #include "viewer/files/file_names.h"
+#include "viewer/panels/object_names.h"
 
 namespace etendue::viewer {
-namespace {
-
-// " of NAME" for sections of an object ("material.3"), otherwise empty.
-std::string object_suffix(const render::Document& d, const std::string& section) {
-  const size_t dot = section.find('.');
-  if (dot == std::string::npos) return "";
-  const auto index = static_cast<size_t>(std::stoul(section.substr(dot + 1)));
-  std::string name;
-  if (section.starts_with("material") && index < d.scene->materials.size()) name = d.scene->materials[index].name;
-  if (section.starts_with("light") && index < d.scene->lights.size()) name = d.scene->lights[index].name;
-  if (section.starts_with("node") && index < d.scene->nodes.size()) name = d.scene->nodes[index].name;
-  return " of " + (name.empty() ? section : name);
+std::string section_label(const render::Document& document, const std::string& section) {
+  const scene::Scene& scene = *document.scene;
+  const auto name = [&](const auto& objects, const char* kind) -> std::string {
+    const auto index = object_index(section + ".", kind);
+    const bool exists = index && static_cast<size_t>(*index) < objects.size();
+    return exists ? objects[static_cast<size_t>(*index)].name : "";
+  };
+  std::string label = name(scene.materials, "material");
+  if (label.empty()) label = name(scene.lights, "light");
+  if (label.empty()) label = name(scene.nodes, "node");
+  return label.empty() ? section : label;
 }
-
-}  // namespace
 
 bool same_view(const render::Document& a, const render::Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
@@ -40,7 +38,8 @@ std::optional<render::DocumentParameter> document_parameter(const render::Docume
 }
 
 std::string full_label(const render::Document& document, const render::DocumentParameter& parameter) {
-  return parameter.info.label + object_suffix(document, parameter.section);
+  const bool is_of_object = parameter.section.find('.') != std::string::npos;
+  return parameter.info.label + (is_of_object ? " of " + section_label(document, parameter.section) : "");
 }
 
 std::string title_of(const render::Document& document, const std::string& session) {

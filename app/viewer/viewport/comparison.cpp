@@ -21,10 +21,7 @@ Result<Side> read_side(const std::string& file) {
   auto frame = std::make_shared<render::Frame>();
   frame->width = image->width;
   frame->height = image->height;
-  auto pixels = std::make_shared<std::vector<Rgb>>(layer->pixels.size() / 3);
-  for (size_t i = 0; i < pixels->size(); ++i)
-    (*pixels)[i] = {layer->pixels[3 * i], layer->pixels[3 * i + 1], layer->pixels[3 * i + 2]};
-  frame->pixels = std::move(pixels);
+  frame->pixels = std::make_shared<const std::vector<Rgb>>(image::rgb_pixels(*layer));
   const std::string name = base_name(file);
   return Side{.name = name, .label = name, .frame = std::move(frame)};
 }
