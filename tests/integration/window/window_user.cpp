@@ -74,6 +74,12 @@ pid_t start_server(std::string& display) {
   return server;
 }
 
+std::string names_of_items(const WindowUser::json& report) {
+  std::string names;
+  for (const auto& item : report["items"].items()) names += " " + item.key();
+  return names;
+}
+
 }  // namespace
 
 bool WindowUser::is_possible() { return is_installed("Xvfb") && is_installed("xdotool"); }
@@ -150,7 +156,7 @@ WindowUser::json WindowUser::placement(const std::string& item) {
     last = latest["items"][item];
     return is_same;
   });
-  if (!is_stable) throw std::runtime_error("'" + item + "' is not on screen");
+  if (!is_stable) throw std::runtime_error("'" + item + "' is not on screen; there are" + names_of_items(report()));
   return last;
 }
 
