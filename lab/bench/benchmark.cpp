@@ -1,7 +1,11 @@
 #include "bench/benchmark.h"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <future>
 
+#include "bench/denoised_images.h"
 #include "bench/external_renderer.h"
 #include "bench/measurement_schedule.h"
 #include "film/film_image.h"
@@ -90,20 +94,24 @@ class Runner {
       choice_seconds = chosen->seconds;
       result.choice = chosen->reason;
     }
-    const double seconds =
-        plan_.seconds > 0 ? std::max(kLeastRemaining * plan_.seconds, plan_.seconds - choice_seconds) : 0;
+    DenoisedImages denoised(d, plan_.threads);
+    const auto seconds_outside = [&] { return choice_seconds + denoised.seconds(); };
     render::Status status;
     for (uint32_t count = 1;; count = next_sample_count(count)) {
       if (!report(status)) return std::nullopt;  // short renderings end before wait_for reports
       const bool last = plan_.samples > 0 && count >= plan_.samples;
-      d.limits = {last ? plan_.samples : count, seconds, 0};
+      const double seconds = std::max(kLeastRemaining * plan_.seconds, plan_.seconds - seconds_outside());
+      d.limits = {last ? plan_.samples : count, plan_.seconds > 0 ? seconds : 0, 0};
       if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(s); })) return std::nullopt;
       const uint32_t before = status.samples;
       status = session_.status();
       if (status.samples > before || result.curve.points.empty()) {
-        result.image = film::radiance_of(session_.film_copy());
+        const film::Film film = session_.film_copy();
+        auto image = spec().is_denoised ? denoise(denoised, film, status) : std::optional(film::radiance_of(film));
+        if (!image) return std::nullopt;
+        result.image = std::move(*image);
         result.curve.points.push_back(
-            measure_error(result.image, reference_, choice_seconds + status.seconds, status.samples));
+            measure_error(result.image, reference_, seconds_outside() + status.seconds, status.samples));
       }
       if (last || status.samples < count) break;
     }
@@ -112,6 +120,18 @@ class Runner {
     result.khat = status.reliability->tail.khat;
     result.has_heavy_tail = status.reliability->verdict == render::Verdict::unreliable;
     return result;
+  }
+
+  // Reports progress meanwhile. Nothing if it was interrupted.
+  std::optional<std::vector<float>> denoise(DenoisedImages& denoised, const film::Film& film,
+                                            const render::Status& status) {
+    constexpr auto kInterval = std::chrono::milliseconds(10);
+    std::atomic<bool> continues = true;
+    const auto scene = session_.scene();
+    auto image = std::async(std::launch::async,
+                            [&] { return denoised.of(*scene, film, [&] { return continues.load(); }); });
+    while (image.wait_for(kInterval) != std::future_status::ready) continues = continues && report(status);
+    return image.get();
   }
 
   Result<ChosenMethod> choose(render::Document d) {

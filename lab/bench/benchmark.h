@@ -31,6 +31,7 @@ struct Plan {
   int repeats = 1;
   uint64_t seed = 0;          // the seed of each repeat of each method is derived from it
   MethodChooser choose = {};  // for automatic methods
+  int threads = 0;            // of the denoiser; 0: one per hardware thread
 };
 
 struct MethodResult {
@@ -97,6 +98,8 @@ PartOutcome run_part(render::Session& session, const Plan& plan, size_t first, s
 
 // Measures errors at 1, 2, 3, 4, 6, 8, 12 ... samples per pixel and at the end of each repeat; only rendering is timed.
 // The time of an automatic choice counts as rendering time: it is part of the budget and of the times of the curve.
+// The time of a denoised image is that of the rendering and of one run of the denoiser; the runs for earlier points of the
+// curve are not counted.
 // Other renderers start again for each measurement, at 1, 2, 4, 8 ... samples; a repeat therefore takes about twice its
 // budget. A renderer that fails is reported as incompatible.
 // If `progress` returns false, the outcome holds the complete repeats.

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "bench/denoised_images.h"
 #include "bench/measurement_schedule.h"
 #include "bench/timed_render.h"
 #include "film/film_image.h"
@@ -38,6 +39,10 @@ struct Repeat {
   Repeat(size_t m, int repeat, const render::Document& d, const std::shared_ptr<const scene::CompiledScene>& scene)
       : method(m), rendering(d, scene), measured{repeat, {}}, corrected{repeat, {}} {}
 
+  bool is_scheduled() const { return rendering.samples() >= next_measurement; }
+  // Of rendering and of one denoised image, if the method has one.
+  double seconds() const { return rendering.seconds() + (denoised ? denoised->seconds() : 0); }
+
   void add(const metrics::ErrorPoint& point, const metrics::ReferenceNoise& noise) {
     // A point between two scheduled sample counts only shows the current state; the next one replaces it.
     if (!measured.points.empty() && !is_last_point_scheduled) {
@@ -46,15 +51,17 @@ struct Repeat {
     }
     measured.points.push_back(point);
     corrected.points.push_back(metrics::without_noise(point, noise));
-    is_last_point_scheduled = rendering.samples() >= next_measurement;
+    is_last_point_scheduled = is_scheduled();
     while (next_measurement <= rendering.samples()) next_measurement = next_sample_count(next_measurement);
   }
 
   size_t method;
   TimedRender rendering;
+  std::optional<DenoisedImages> denoised;  // of a method that is measured with them
   metrics::ErrorCurve measured, corrected;
   uint32_t next_measurement = 1;  // the sample count of the next scheduled point
   bool is_last_point_scheduled = false;
+  bool is_measurement_due = false;  // also after an interruption of the denoiser
 };
 
 }  // namespace
@@ -159,11 +166,14 @@ class LiveBenchmark::Impl {
     if (!repeat) return false;
     const bool timed = plan_.rule == Rule::equal_time;
     TimedRender& rendering = repeat->rendering;
-    const double slice = timed ? std::min(kTimeSlice, seconds - rendering.seconds()) : kTimeSlice;
+    const double slice = timed ? std::min(kTimeSlice, seconds - repeat->seconds()) : kTimeSlice;
     const uint32_t before = rendering.samples();
     const uint32_t target = timed ? repeat->next_measurement : std::min(repeat->next_measurement, samples);
     rendering.run(workers_, target, slice, [&] { return keep_going(); });
-    if (rendering.samples() > before) measure(*repeat);
+    // Denoised images take too long to be measured after every slice.
+    const bool is_point = !repeat->denoised || repeat->is_scheduled() || is_complete(*repeat, seconds, samples);
+    repeat->is_measurement_due |= rendering.samples() > before && is_point;
+    if (repeat->is_measurement_due) measure(*repeat);
     return true;
   }
 
@@ -198,16 +208,19 @@ class LiveBenchmark::Impl {
     reference_frame_ = frame_of(reference_.rgb(), image.width, image.height, reference_.samples);
   }
 
+  bool is_complete(const Repeat& repeat, double seconds, uint32_t samples) const {
+    if (plan_.rule == Rule::equal_samples) return repeat.rendering.samples() >= samples;
+    return repeat.rendering.has_reached(seconds - (repeat.seconds() - repeat.rendering.seconds()));
+  }
+
   // The repeat that has used least of its budget, among those with budget left; null if there is none.
   Repeat* next_repeat(double seconds, uint32_t samples) {
     const bool timed = plan_.rule == Rule::equal_time;
-    const auto used = [&](const Repeat& repeat) {
-      return timed ? repeat.rendering.seconds() : repeat.rendering.samples();
-    };
+    const auto used = [&](const Repeat& repeat) { return timed ? repeat.seconds() : repeat.rendering.samples(); };
     Repeat* next = nullptr;
     for (const auto& repeat : repeats_) {
       if (!incompatibilities_[repeat->method].empty()) continue;
-      const bool done = timed ? repeat->rendering.has_reached(seconds) : repeat->rendering.samples() >= samples;
+      const bool done = is_complete(*repeat, seconds, samples) && !repeat->is_measurement_due;
       if (!done && (!next || used(*repeat) < used(*next))) next = repeat.get();
     }
     return next;
@@ -220,17 +233,21 @@ class LiveBenchmark::Impl {
       render::Document d = plan_.methods[m].document;
       d.seed = repeat_seed(plan_.seed, m, index);
       repeats_.push_back(std::make_unique<Repeat>(m, index, d, scene_));
+      if (plan_.methods[m].is_denoised) repeats_.back()->denoised.emplace(d, plan_.threads);
     }
   }
 
   void measure(Repeat& repeat) {
     const TimedRender& rendering = repeat.rendering;
-    const auto image = film::radiance_of(rendering.film());
-    repeat.add(measure_error(image, reference_, rendering.seconds(), rendering.samples()),
+    const auto image = repeat.denoised ? repeat.denoised->of(*scene_, rendering.film(), [&] { return keep_going(); })
+                                       : std::optional(film::radiance_of(rendering.film()));
+    if (!image) return;
+    repeat.is_measurement_due = false;
+    repeat.add(measure_error(*image, reference_, repeat.seconds(), rendering.samples()),
                reference_.noise.value_or(metrics::ReferenceNoise{}));
     const auto& film = rendering.film();
     if (repeat.measured.repeat == 0)
-      frames_[repeat.method] = frame_of(image, film.width(), film.height(), rendering.samples());
+      frames_[repeat.method] = frame_of(*image, film.width(), film.height(), rendering.samples());
   }
 
   // Saves the reference if it has more samples than the cached one.
@@ -287,7 +304,7 @@ class LiveBenchmark::Impl {
     const auto& end = first.corrected.points.back();
     s.rmse = std::sqrt(end.mse);
     s.relmse = end.relmse;
-    s.seconds = first.rendering.seconds();
+    s.seconds = first.seconds();
     s.samples = first.rendering.samples();
     s.rays_per_second = first.rendering.rays_per_second();
     return s;
@@ -297,7 +314,7 @@ class LiveBenchmark::Impl {
     double sum = 0;
     for (const auto& repeat : repeats_)
       sum += !incompatibilities_[repeat->method].empty() ? 1 :
-          std::min(1.0, plan_.rule == Rule::equal_time ? repeat->rendering.seconds() / s.seconds
+          std::min(1.0, plan_.rule == Rule::equal_time ? repeat->seconds() / s.seconds
                                                        : static_cast<double>(repeat->rendering.samples()) / s.samples);
     return s.phase == Phase::done ? 1 : sum / (static_cast<double>(plan_.methods.size()) * plan_.repeats);
   }

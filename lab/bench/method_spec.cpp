@@ -109,16 +109,22 @@ Result<MethodSpec> parse_external(const std::string& text, const render::Documen
   if (command.size() >= 2 && command.front() == '"' && command.back() == '"')
     command = command.substr(1, command.size() - 2);
   if (auto ok = check_external_command(command); !ok) return method_error(text, ok.error().message);
-  return MethodSpec{text, base, command};
+  return MethodSpec{.name = text, .document = base, .command = command};
 }
 
 // An integrator with its settings, or the automatic choice.
 Result<MethodSpec> parse_integrator(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
   if (!assignments) return assignments.error();
-  MethodSpec method{text, base};
+  MethodSpec method{.name = text, .document = base};
   render::Document image = base;
   for (const auto& [name, value] : *assignments) {
+    if (name == "denoise") {
+      if (value != "true" && value != "false")
+        return method_error(text, "'" + value + "' is not a value of 'denoise'; give true or false");
+      method.is_denoised = value == "true";
+      continue;
+    }
     auto changed = render::with_text(method.document, name, value);
     if (!changed) return method_error(text, changed.error().message);
     method.document = std::move(*changed);

@@ -1,5 +1,6 @@
 // Methods as users write them: integrator[:name=value]..., with the sampler as one of the values, auto[:name=value]...
-// for the automatic choice of the integrator, or external:"COMMAND" for another renderer (external_renderer.h).
+// for the automatic choice of the integrator, or external:"COMMAND" for another renderer (external_renderer.h). The setting
+// denoise=true measures the denoised image (denoised_images.h).
 #pragma once
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ struct MethodSpec {
   std::string name;  // as the user wrote it
   render::Document document;
   std::string command = {};  // of another renderer; empty for an integrator
+  bool is_denoised = false;
 
   bool is_external() const { return !command.empty(); }
   // Whether the integrator is chosen before each rendering (Plan::choose).

@@ -37,6 +37,21 @@ class ConvergencePanel : public Viewer {
   }
 };
 
+// A denoised method has a curve of its own, and its image is the one of the viewport.
+TEST_F(ConvergencePanel, DenoisedImagesAreMethods) {
+  const auto steps = joined(
+      small(), json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 4),
+                            set("compare.repeats", 1), set("compare.denoised", true), click("compare.add"),
+                            click("compare.start"), kAtRest, click("compare.b.2"), file_step("state", path("s.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const json s = state("s.json");
+  const json methods = s["contest"]["methods"];
+  ASSERT_EQ(methods.size(), 3u);
+  EXPECT_EQ(methods[2]["name"], "path:sampler=sobol:denoise=true");
+  EXPECT_EQ(methods[2]["repeats"], 1);
+  EXPECT_NE(s["comparison"]["b"].get<std::string>().find("denoised"), std::string::npos);
+}
+
 // The table shows the median of the complete repeats at the end of the curve, in the chosen measure. A method that cannot
 // render the scene has no error.
 TEST_F(ConvergencePanel, TableShowsTheEndOfTheCurveInTheChosenMeasure) {

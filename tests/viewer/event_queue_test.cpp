@@ -55,6 +55,26 @@ TEST(EventQueue, AClickAfterEscapeArrivesInTheNextFrame) {
   EXPECT_FLOAT_EQ(input.mouse.x, 7);
 }
 
+// Dear ImGui ignores a press on a tab while the frame before had the pointer on another item.
+TEST(EventQueue, APressAfterAMovementArrivesInTheNextFrame) {
+  EventQueue queue;
+  queue.push(move(3));
+  queue.push(move(7));
+  queue.push(button(true));
+  queue.push(move(8));
+  queue.push(button(false));
+  Input input;
+  queue.take_frame(input);
+  EXPECT_FLOAT_EQ(input.mouse.x, 7);
+  EXPECT_FALSE(input.buttons[0]);
+  queue.take_frame(input);
+  EXPECT_TRUE(input.pressed[0]);
+  EXPECT_FLOAT_EQ(input.mouse.x, 7);
+  queue.take_frame(input);
+  EXPECT_FALSE(input.buttons[0]) << "a release needs no frame of its own after a movement";
+  EXPECT_FLOAT_EQ(input.mouse.x, 8);
+}
+
 TEST(EventQueue, AClickKeepsItsModifierAndItsPosition) {
   EventQueue queue;
   queue.push(key(kControl, true));
@@ -63,6 +83,8 @@ TEST(EventQueue, AClickKeepsItsModifierAndItsPosition) {
   queue.push(key(kControl, false));
   queue.push(move(9));
   Input input;
+  queue.take_frame(input);
+  EXPECT_FALSE(input.pressed[0]);
   queue.take_frame(input);
   EXPECT_TRUE(input.pressed[0] && input.control());
   EXPECT_FLOAT_EQ(input.mouse.x, 3);

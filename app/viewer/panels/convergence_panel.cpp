@@ -334,11 +334,14 @@ class ConvergencePanel final : public Panel {
     if (const auto value = compact_choice(state, sampler_parameter(parameters.sampler), em * 7.4f))
       parameters.sampler = std::get<std::string>(*value);
     ImGui::SameLine();
-    if (ImGui::Button("Add")) task_.add_method(parameters.integrator + ":sampler=" + parameters.sampler);
+    if (ImGui::Button("Add"))
+      task_.add_method(parameters.integrator + ":sampler=" + parameters.sampler +
+                       (parameters.denoised ? ":denoise=true" : ""));
     state.ui.items.add("compare.add");
     if (ImGui::IsItemHovered()) tooltip(state.ui, "Adds this method to the list");
     ImGui::SameLine();
     action_button(state, "compare.add-current");
+    if (const auto value = parameter_widget(state, describe(parameters.denoised))) assign(parameters.denoised, *value);
     const auto methods = parameter_widget(state, describe(parameters.added));
     if (!methods) return;
     if (const auto added = task_.add_methods(std::get<std::string>(*methods), state.document()); !added)

@@ -75,7 +75,7 @@ bool EventQueue::take_frame(Input& input) {
   const bool any = !events_.empty();
   std::array<bool, 3> changed{};
   std::bitset<kKeys> keys_changed;
-  bool button_changed = false, key_pressed = false, pressed_any = false;
+  bool has_moved = false, button_changed = false, key_pressed = false, pressed_any = false;
   while (!events_.empty()) {
     const Event& e = events_.front();
     const auto b = static_cast<size_t>(e.button);
@@ -90,11 +90,14 @@ bool EventQueue::take_frame(Input& input) {
     if (e.type == Event::Type::key && is_modifier(e.key) && pressed_any) break;
     // A button event keeps the pointer position of that moment.
     if (e.type == Event::Type::move && button_changed) break;
+    // Dear ImGui ignores a press on a tab if the pointer was on another item in the frame before.
+    if (e.type == Event::Type::button && e.down && has_moved) break;
     // Escape after a click must find the menu that the click has opened, and a click after Escape the closed menu.
     const bool presses_key = e.type == Event::Type::key && e.down && !is_modifier(e.key);
     if ((presses_key && button_changed) || (e.type == Event::Type::button && key_pressed)) break;
     switch (e.type) {
       case Event::Type::move:
+        has_moved = true;
         input.mouse = e.position;
         break;
       case Event::Type::leave:

@@ -2,8 +2,8 @@
 //
 // Dear ImGui 1.86 samples the state of buttons and keys once per frame, so a press and a release within one frame would
 // be lost. The queue therefore delivers events up to the second change of the same button or key. A button and a key
-// that is not a modifier do not change in the same frame, which keeps their order. The rest is delivered in the next
-// frame.
+// that is not a modifier do not change in the same frame, which keeps their order, and a button is pressed in a frame in
+// which the pointer rests. The rest is delivered in the next frame.
 #pragma once
 #include <array>
 #include <bitset>

@@ -63,6 +63,8 @@ std::string short_method_name(const std::string& spec) {
   for (const char c : spec) text += c == ':' ? ", " : std::string(1, c);
   const std::string sampler = "sampler=";
   if (const size_t at = text.find(sampler); at != std::string::npos) text.erase(at, sampler.size());
+  const std::string denoised = "denoise=true";
+  if (const size_t at = text.find(denoised); at != std::string::npos) text.replace(at, denoised.size(), "denoised");
   return text;
 }
 
@@ -77,6 +79,8 @@ std::string method_label(const std::string& spec) {
     } else if (part.starts_with(sampler_key)) {
       part = part.substr(sampler_key.size());
       if (const auto* sampler = find_sampler(part)) part = sampler->label;
+    } else if (part == "denoise=true") {
+      part = "denoised";
     }
     text += (text.empty() ? "" : ", ") + part;
     start = end + 1;

@@ -53,6 +53,8 @@ class ConvergenceTask final : public Task {
     std::string integrator = "path";   // of the next method that is added
     std::string sampler = "sobol";     // likewise
 
+    Toggle denoised{"compare.denoised", "Denoised", false,
+                    "Measures the next method that is added on its denoised image. The time of the denoiser counts"};
     Choice<bench::Rule> rule{"compare.rule", "Compare at", bench::Rule::equal_time,
                              "All methods get the same rendering time or the same number of samples per pixel"};
     Number<float> seconds{
@@ -83,7 +85,7 @@ class ConvergenceTask final : public Task {
                {{"{path,bdpt}:sampler={sobol,random}", "{path,bdpt}:sampler={sobol,random}"},
                 {"path:path.roulette-start={1,2,4,8}", "path:path.roulette-start={1,2,4,8}"},
                 {"path:path.heuristic={constant,balance,power}", "path:path.heuristic={constant,balance,power}"}}};
-    auto all() { return std::tie(rule, seconds, samples, repeats, axis, error, chart, added); }
+    auto all() { return std::tie(denoised, rule, seconds, samples, repeats, axis, error, chart, added); }
   };
   Parameters parameters;
 

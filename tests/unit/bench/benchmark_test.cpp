@@ -9,9 +9,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bench/measurement_schedule.h"
 #include "bench/reference_key.h"
 #include "bench/report.h"
 #include "bench/summary.h"
+#include "render/denoised_image.h"
 #include "support/scenes.h"
 
 namespace etendue::test {
@@ -93,6 +95,47 @@ TEST(Methods, MayApproximateSubsurfaceScattering) {
   EXPECT_EQ(to_string(*render::get(methods->at(2).document, "material.0.model")), "subsurface");
   EXPECT_FALSE(bench::parse_methods("path:material.0.model=mirror", cornell(8)));
   EXPECT_FALSE(bench::parse_methods("path:material.0.model=dipole:material.0.emission.r=1", cornell(8)));
+}
+
+TEST(Methods, MayBeDenoised) {
+  const auto methods = bench::parse_methods("path,path:denoise=true,path:denoise=false", cornell(8));
+  ASSERT_TRUE(methods) << methods.error().message;
+  EXPECT_FALSE(methods->at(0).is_denoised);
+  EXPECT_TRUE(methods->at(1).is_denoised);
+  EXPECT_FALSE(methods->at(2).is_denoised);
+  const auto wrong = bench::parse_methods("path:denoise=yes", cornell(8));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find("give true or false"), std::string::npos);
+}
+
+// The curve of the denoised image has its errors, and the times of rendering and of the denoiser.
+TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
+  const auto d = cornell(24);
+  render::Session session({2});
+  const Reference reference = bench::render_reference(session, d, {0, 512}, {}, never_cancel);
+  Plan plan{*bench::parse_methods("path,path:denoise=true", d), 0, 8, 1, 3};
+  plan.methods[1].document = plan.methods[0].document;
+  const auto outcome = bench::run(session, plan, reference, never_cancel);
+  const auto &raw = outcome.methods[0].curves.repeats[0].points, &denoised = outcome.methods[1].curves.repeats[0].points;
+  ASSERT_EQ(raw.size(), denoised.size());
+  EXPECT_LT(denoised.back().relmse, raw.back().relmse / 2);
+  EXPECT_EQ(denoised.back().spp, 8u);
+  auto seeded = d;
+  seeded.seed = bench::repeat_seed(plan.seed, 1, 0);
+  const auto features = render::denoise_features(*session.scene(), seeded, 4, 2);
+  EXPECT_EQ(outcome.methods[1].image, render::denoised_image(render::rendered(seeded, 8, 2), features, 2));
+}
+
+// An interruption is noticed while the denoiser runs.
+TEST(Bench, DenoisingIsInterrupted) {
+  const auto d = cornell(96);
+  render::Session session({2});
+  const Reference reference = bench::render_reference(session, d, {0, 2}, {}, never_cancel);
+  const Plan plan{*bench::parse_methods("path:denoise=true", d), 0, 1, 1, 3};
+  int calls = 0;
+  const auto outcome = bench::run(session, plan, reference, [&](double, const std::string&) { return ++calls < 4; });
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_TRUE(outcome.methods[0].image.empty());
 }
 
 TEST(PictureKey, DependsOnTheImageOnly) {

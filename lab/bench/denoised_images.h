@@ -1,0 +1,31 @@
+// Denoised images of a method (render/denoised_image.h) and the time that they take. Errors of a method with the setting
+// denoise=true are measured on them.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "render/denoised_image.h"
+
+namespace etendue::bench {
+
+class DenoisedImages {
+ public:
+  // With 0 threads: one per hardware thread.
+  DenoisedImages(const render::Document& document, int threads) : document_(document), threads_(threads) {}
+
+  // Three numbers per pixel. The first call renders the features of the scene, which all later ones share. Nothing if
+  // `continues` returns false, which any thread may call.
+  std::optional<std::vector<float>> of(const scene::CompiledScene& scene, const film::Film& film,
+                                       const std::function<bool()>& continues);
+  // What the latest image took, with its features.
+  double seconds() const { return feature_seconds_ + filter_seconds_; }
+
+ private:
+  render::Document document_;
+  int threads_;
+  std::optional<render::DenoiseFeatures> features_;
+  double feature_seconds_ = 0, filter_seconds_ = 0;
+};
+
+}  // namespace etendue::bench
