@@ -21,7 +21,7 @@ namespace {
 
 struct MergeArguments {
   std::vector<std::string> parts;
-  std::string out, png, denoised, aovs, json;
+  std::string out, png, denoised, denoiser = "auto", aovs, json;
   uint32_t samples = 0;
   int threads = 0;
   bool partial = false;
@@ -109,6 +109,7 @@ Result<void> check_output(const MergeArguments& a) {
     if (std::filesystem::equivalent(part, a.out, code))
       return usage_error("merge: " + a.out + " is one of the parts; give another name to -o");
   }
+  if (auto denoiser = render::denoiser_named(a.denoiser); !denoiser) return denoiser.error();
   if (!a.partial) return check_names(a.out, {a.png, a.denoised}, "merge");
   if (!a.out.ends_with(".exr")) return usage_error("merge: '" + a.out + "' cannot hold a part; give -o FILE.exr");
   if (!a.png.empty() || !a.denoised.empty() || !a.aovs.empty() || !a.json.empty())
@@ -168,7 +169,7 @@ Result<void> merge(const MergeArguments& a) {
   auto samples = merged_samples(a, *list);
   if (!samples) return samples.error();
   const ResultFiles files{
-      .out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = *aovs, .threads = a.threads};
+      .out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .denoiser = a.denoiser, .aovs = *aovs, .threads = a.threads};
   const double seconds = static_cast<double>(list->merged.microseconds) * 1e-6;
   return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }
@@ -212,6 +213,7 @@ Command merge_command() {
                    .doc =
                        "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
                        "for display only"},
+                  denoiser_option(a->denoiser),
                   {.names = "--aov", .target = &a->aovs, .doc = "Additional layers of the .exr, as of etendue render"},
                   {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
                   threads_option(a->threads)},

@@ -48,7 +48,7 @@ struct RenderArguments {
   SceneArguments scene;
   PartArguments part;
   SequenceArguments sequence;
-  std::string out, png, denoised, integrator, sampler, aovs, json, resume, like, measure, scene_from;
+  std::string out, png, denoised, denoiser = "auto", integrator, sampler, aovs, json, resume, like, measure, scene_from;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
   int threads = 0, max_depth = -1, collectors = -1;
@@ -342,6 +342,7 @@ class RenderJob {
                           .png = a_.png,
                           .json = a_.json,
                           .denoised = a_.denoised,
+                          .denoiser = a_.denoiser,
                           .aovs = aovs_,
                           .threads = a_.threads,
                           .path_layers = path_layers_},
@@ -414,7 +415,7 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
                 start.seconds};
   }
   const RanksArguments arguments{
-      .files = {.out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .aovs = std::move(aovs), .threads = a.threads},
+      .files = {.out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .denoiser = a.denoiser, .aovs = std::move(aovs), .threads = a.threads},
       .checkpoint_file = checkpoint_file_of(a),
       .checkpoint_interval = a.checkpoint_interval,
       .resumes = !a.resume.empty(),
@@ -464,6 +465,7 @@ int run_sequence(const RenderArguments& a, const std::vector<std::string>& aovs,
 // Wrong arguments fail before anything is rendered. `ranks` is null if there is one process only.
 int run_render(const RenderArguments& a, cluster::Communicator* ranks) {
   if (auto ok = check_names(a.out, {a.png, a.denoised}, "render"); !ok) return fail(ok.error());
+  if (auto denoiser = render::denoiser_named(a.denoiser); !denoiser) return fail(denoiser.error());
   auto aovs = parse_aovs(a.aovs);
   if (!aovs) return fail(aovs.error());
   auto start = find_start(a);
@@ -514,6 +516,7 @@ Command render_command() {
                    .target = &a->denoised,
                    .doc = "Additional output of the denoised image, .png (as displayed), .exr or .hdr (linear); biased, "
                           "for display only"},
+                  denoiser_option(a->denoiser),
                   {.names = "--spp",
                    .target = &a->samples,
                    .doc = "Samples per pixel (64 if no limit is given)",

@@ -35,8 +35,11 @@ Result<void> write_denoised(const scene::CompiledScene* scene, const render::Ren
   render::DenoiseFeatures features;
   if (scene)
     features = render::denoise_features(*scene, rendering.document, kAovSamples / film::kHalfBuffers, files.threads);
-  return render::write_denoised_image(files.denoised, rendering,
-                                      render::denoised_image(rendering.film, std::move(features), files.threads));
+  const auto denoiser = render::denoiser_named(files.denoiser);
+  if (!denoiser) return denoiser.error();
+  const auto image = render::denoised_image(rendering.film, std::move(features), *denoiser, files.threads);
+  if (!image) return image.error();
+  return render::write_denoised_image(files.denoised, rendering, *image);
 }
 
 }  // namespace

@@ -50,6 +50,16 @@ film::ErrorMeasure measure_of(const std::string& name) {
   return film::ErrorMeasure::rmse;
 }
 
+CommandOption denoiser_option(std::string& target) {
+  std::vector<std::string> names;
+  for (const Option& option : Options<render::Denoiser>::kOptions) names.emplace_back(option.name);
+  return {.names = "--denoiser",
+          .target = &target,
+          .doc = "Denoiser of --denoise: regression on features; oidn, Open Image Denoise, if it is installed; auto, the "
+                 "latter if it is installed",
+          .choices = names};
+}
+
 CommandOption set_option(std::vector<std::string>& target) {
   return {.names = "--set", .target = &target, .doc = "NAME=VALUE: sets a parameter; may be repeated"};
 }

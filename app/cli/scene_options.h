@@ -23,6 +23,8 @@ CommandOption paths_option(std::string& target);
 // Stores the name of a measure of film/error_measure.h; `measure_of` converts it.
 CommandOption error_measure_option(std::string& target, const std::string& doc);
 film::ErrorMeasure measure_of(const std::string& name);
+// Stores the name of a denoiser (render/denoised_image.h).
+CommandOption denoiser_option(std::string& target);
 CommandOption set_option(std::vector<std::string>& target);
 template <class Integer>
 CommandOption seed_option(Integer& target) {

@@ -197,7 +197,7 @@ Darkness darkness_of_frame(const AppState& state) {
 // Uploads the newest frame, or the AOV if one is shown.
 void update_image(AppState& state, ImageView& live_image) {
   ViewportState& viewport = state.viewport;
-  const bool has_new_aov = viewport.aov->update(viewport.aov_name);
+  const bool has_new_aov = viewport.aov->update(viewport.aov_name, state.settings.denoiser);
   const bool shows_aov = state.shows_aov();
   const bool switched = shows_aov != viewport.aov_is_uploaded;
   if (shows_aov && (has_new_aov || switched)) {

@@ -2,10 +2,40 @@
 
 #include <algorithm>
 
+#include "film/denoise/open_image_denoise.h"
 #include "render/aov.h"
 #include "render/thread_pool.h"
 
 namespace etendue::render {
+namespace {
+
+std::vector<float> channels_of(const std::vector<Rgb>& pixels) {
+  std::vector<float> values;
+  values.reserve(3 * pixels.size());
+  for (const Rgb& pixel : pixels) values.insert(values.end(), {pixel.r, pixel.g, pixel.b});
+  return values;
+}
+
+const Option& option_of(Denoiser denoiser) {
+  return Options<Denoiser>::kOptions[static_cast<size_t>(denoiser)];
+}
+
+}  // namespace
+
+const char* name_of(Denoiser denoiser) { return option_of(denoiser).name; }
+const char* label_of(Denoiser denoiser) { return option_of(denoiser).label; }
+
+Result<Denoiser> denoiser_named(const std::string& name) {
+  std::string names;
+  for (const Denoiser denoiser : {Denoiser::automatic, Denoiser::regression, Denoiser::open_image_denoise}) {
+    names += (names.empty() ? "" : ", ") + std::string(name_of(denoiser));
+    if (name != name_of(denoiser)) continue;
+    if (denoiser == Denoiser::open_image_denoise && !film::has_open_image_denoise())
+      return usage_error("Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 or .so.1");
+    return denoiser;
+  }
+  return usage_error("there is no denoiser '" + name + "'; give one of " + names);
+}
 
 DenoiseFeatures denoise_features(const scene::CompiledScene& scene, const Document& document, uint32_t samples,
                                  int threads) {
@@ -20,20 +50,23 @@ DenoiseFeatures denoise_features(const scene::CompiledScene& scene, const Docume
   return features;
 }
 
-std::vector<float> denoised_image(const film::Film& film, DenoiseFeatures features, int threads,
-                                  const std::function<bool()>& continues) {
+Result<DenoisedImage> denoised_image(const film::Film& film, DenoiseFeatures features, Denoiser denoiser, int threads,
+                                     const std::function<bool()>& continues) {
   const film::DenoiseInput input{.width = film.width(),
                                  .height = film.height(),
                                  .half_buffers = film::half_buffer_means(film),
                                  .features = std::move(features)};
+  const bool is_installed = film::has_open_image_denoise();
+  if (denoiser == Denoiser::open_image_denoise || (denoiser == Denoiser::automatic && is_installed)) {
+    const auto pixels = film::denoise_with_open_image_denoise(input, threads, continues);
+    if (pixels) return DenoisedImage{.pixels = channels_of(*pixels), .denoiser = Denoiser::open_image_denoise};
+    if (denoiser == Denoiser::open_image_denoise) return pixels.error();
+  }
   ThreadPool workers(threads);
   const std::vector<Rgb> pixels = film::denoise(
       input, [&](int count, const std::function<void(int)>& task) { workers.run(0, count, task, continues); });
-  std::vector<float> image;
-  if (!continues()) return image;
-  image.reserve(3 * pixels.size());
-  for (const Rgb& pixel : pixels) image.insert(image.end(), {pixel.r, pixel.g, pixel.b});
-  return image;
+  if (!continues()) return DenoisedImage{};
+  return DenoisedImage{.pixels = channels_of(pixels), .denoiser = Denoiser::regression};
 }
 
 }  // namespace etendue::render

@@ -53,20 +53,23 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   return (*format)->write_layers(path, image);
 }
 
-Result<void> write_denoised_image(const std::string& path, const Rendering& r, const std::vector<float>& denoised) {
+Result<void> write_denoised_image(const std::string& path, const Rendering& r, const DenoisedImage& denoised) {
   const auto format = image::require_writer(path);
   if (!format) return format.error();
   const int width = r.film.width(), height = r.film.height();
-  if ((*format)->write_linear) return (*format)->write_linear(path, width, height, denoised);
-  const std::map<std::string, std::string> attributes = {
-      {kStateAttribute, state_json(r.document, r.samples)}, {"software", "etendue"}, {kDenoisedAttribute, "true"}};
+  if ((*format)->write_linear) return (*format)->write_linear(path, width, height, denoised.pixels);
+  const std::map<std::string, std::string> attributes = {{kStateAttribute, state_json(r.document, r.samples)},
+                                                         {"software", "etendue"},
+                                                         {kDenoisedAttribute, name_of(denoised.denoiser)}};
   if ((*format)->write_display) {
     const Display& display = r.document.display;
-    const auto displayed = image::display_pixels(denoised, display.exposure, display.curve);
+    const auto displayed = image::display_pixels(denoised.pixels, display.exposure, display.curve);
     return (*format)->write_display(path, width, height, displayed, attributes);
   }
-  return (*format)->write_layers(
-      path, {.width = width, .height = height, .layers = {{"", {"R", "G", "B"}, denoised}}, .attributes = attributes});
+  return (*format)->write_layers(path, {.width = width,
+                                        .height = height,
+                                        .layers = {{"", {"R", "G", "B"}, denoised.pixels}},
+                                        .attributes = attributes});
 }
 
 }  // namespace etendue::render

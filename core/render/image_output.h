@@ -6,6 +6,7 @@
 
 #include "film/film.h"
 #include "image/image.h"
+#include "render/denoised_image.h"
 #include "render/document.h"
 
 namespace etendue::render {
@@ -36,10 +37,9 @@ Result<void> write_image(const std::string& path, const Rendering& rendering);
 // Whether files of this format hold the certificate, which takes time to measure.
 bool stores_certificate(const std::string& path);
 
-// Writes a denoised image, three numbers per pixel, with the settings of the rendering. It has no variance, no certificate
-// and no layers, because its error is not known; the attribute kDenoisedAttribute marks it.
+// Writes a denoised image with the settings of the rendering. It has no variance, no certificate and no layers, because its
+// error is not known; the attribute kDenoisedAttribute is the name of the denoiser.
 inline constexpr const char* kDenoisedAttribute = "etendue:denoised";
-Result<void> write_denoised_image(const std::string& path, const Rendering& rendering,
-                                  const std::vector<float>& denoised);
+Result<void> write_denoised_image(const std::string& path, const Rendering& rendering, const DenoisedImage& denoised);
 
 }  // namespace etendue::render

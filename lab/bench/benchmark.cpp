@@ -94,7 +94,7 @@ class Runner {
       choice_seconds = chosen->seconds;
       result.choice = chosen->reason;
     }
-    DenoisedImages denoised(d, plan_.threads);
+    DenoisedImages denoised(d, spec().denoiser.value_or(render::Denoiser::automatic), plan_.threads);
     const auto seconds_outside = [&] { return choice_seconds + denoised.seconds(); };
     render::Status status;
     for (uint32_t count = 1;; count = next_sample_count(count)) {
@@ -107,8 +107,9 @@ class Runner {
       status = session_.status();
       if (status.samples > before || result.curve.points.empty()) {
         const film::Film film = session_.film_copy();
-        auto image = spec().is_denoised ? denoise(denoised, film, status) : std::optional(film::radiance_of(film));
-        if (!image) return std::nullopt;
+        auto image = spec().denoiser ? denoise(denoised, film, status) : film::radiance_of(film);
+        if (!image) return RepeatResult{.failure = image.error().message};
+        if (image->empty()) return std::nullopt;
         result.image = std::move(*image);
         result.curve.points.push_back(
             measure_error(result.image, reference_, seconds_outside() + status.seconds, status.samples));
@@ -122,9 +123,8 @@ class Runner {
     return result;
   }
 
-  // Reports progress meanwhile. Nothing if it was interrupted.
-  std::optional<std::vector<float>> denoise(DenoisedImages& denoised, const film::Film& film,
-                                            const render::Status& status) {
+  // Reports progress meanwhile. Empty if it was interrupted.
+  Result<std::vector<float>> denoise(DenoisedImages& denoised, const film::Film& film, const render::Status& status) {
     constexpr auto kInterval = std::chrono::milliseconds(10);
     std::atomic<bool> continues = true;
     const auto scene = session_.scene();

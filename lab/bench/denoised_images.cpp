@@ -15,18 +15,18 @@ double seconds_between(Clock::time_point start, Clock::time_point end) {
 
 }  // namespace
 
-std::optional<std::vector<float>> DenoisedImages::of(const scene::CompiledScene& scene, const film::Film& film,
-                                                     const std::function<bool()>& continues) {
+Result<std::vector<float>> DenoisedImages::of(const scene::CompiledScene& scene, const film::Film& film,
+                                              const std::function<bool()>& continues) {
   if (!features_) {
     const auto start = Clock::now();
     features_ = render::denoise_features(scene, document_, kFeatureSamples, threads_);
     feature_seconds_ = seconds_between(start, Clock::now());
   }
   const auto start = Clock::now();
-  std::vector<float> image = render::denoised_image(film, *features_, threads_, continues);
-  if (image.empty()) return std::nullopt;
-  filter_seconds_ = seconds_between(start, Clock::now());
-  return image;
+  auto image = render::denoised_image(film, *features_, denoiser_, threads_, continues);
+  if (!image) return image.error();
+  if (!image->pixels.empty()) filter_seconds_ = seconds_between(start, Clock::now());
+  return std::move(image->pixels);
 }
 
 }  // namespace etendue::bench

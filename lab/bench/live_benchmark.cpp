@@ -233,15 +233,17 @@ class LiveBenchmark::Impl {
       render::Document d = plan_.methods[m].document;
       d.seed = repeat_seed(plan_.seed, m, index);
       repeats_.push_back(std::make_unique<Repeat>(m, index, d, scene_));
-      if (plan_.methods[m].is_denoised) repeats_.back()->denoised.emplace(d, plan_.threads);
+      if (const auto denoiser = plan_.methods[m].denoiser)
+        repeats_.back()->denoised.emplace(d, *denoiser, plan_.threads);
     }
   }
 
   void measure(Repeat& repeat) {
     const TimedRender& rendering = repeat.rendering;
     const auto image = repeat.denoised ? repeat.denoised->of(*scene_, rendering.film(), [&] { return keep_going(); })
-                                       : std::optional(film::radiance_of(rendering.film()));
-    if (!image) return;
+                                       : film::radiance_of(rendering.film());
+    if (!image) incompatibilities_[repeat.method] = image.error().message;
+    if (!image || image->empty()) return;
     repeat.is_measurement_due = false;
     repeat.add(measure_error(*image, reference_, repeat.seconds(), rendering.samples()),
                reference_.noise.value_or(metrics::ReferenceNoise{}));

@@ -120,9 +120,10 @@ Result<MethodSpec> parse_integrator(const std::string& text, const render::Docum
   render::Document image = base;
   for (const auto& [name, value] : *assignments) {
     if (name == "denoise") {
-      if (value != "true" && value != "false")
-        return method_error(text, "'" + value + "' is not a value of 'denoise'; give true or false");
-      method.is_denoised = value == "true";
+      if (value == "false") continue;
+      const auto denoiser = render::denoiser_named(value == "true" ? "auto" : value);
+      if (!denoiser) return method_error(text, "denoise: " + denoiser.error().message + ", true or false");
+      method.denoiser = *denoiser;
       continue;
     }
     auto changed = render::with_text(method.document, name, value);

@@ -1,10 +1,12 @@
 // Methods as users write them: integrator[:name=value]..., with the sampler as one of the values, auto[:name=value]...
 // for the automatic choice of the integrator, or external:"COMMAND" for another renderer (external_renderer.h). The setting
-// denoise=true measures the denoised image (denoised_images.h).
+// denoise=true measures the denoised image (denoised_images.h); denoise=regression and denoise=oidn choose the denoiser.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "render/denoised_image.h"
 #include "render/document.h"
 
 namespace etendue::bench {
@@ -14,7 +16,7 @@ struct MethodSpec {
   std::string name;  // as the user wrote it
   render::Document document;
   std::string command = {};  // of another renderer; empty for an integrator
-  bool is_denoised = false;
+  std::optional<render::Denoiser> denoiser = {};  // nothing: the image itself is measured
 
   bool is_external() const { return !command.empty(); }
   // Whether the integrator is chosen before each rendering (Plan::choose).

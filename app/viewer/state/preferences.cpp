@@ -83,7 +83,10 @@ std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
                           "path tracing. Sessions and snapshots keep their own"}),
           describe(Toggle{"preferences.snapshot-samples", "Samples in snapshots", settings.snapshots_have_samples,
                           "Keeps the samples of a snapshot in a second file, from which the rendering continues. It has "
-                          "56 bytes per pixel or more"})};
+                          "56 bytes per pixel or more"}),
+          describe(Choice<render::Denoiser>{"preferences.denoiser", "Denoiser", settings.denoiser,
+                                            "Of View > Denoised. Automatic: Open Image Denoise if its library is "
+                                            "installed, else regression on features"})};
 }
 
 void assign_preference(Settings& settings, const std::string& name, const Value& value) {
@@ -97,6 +100,11 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
   if (name == "preferences.timing") settings.show_details = std::get<bool>(value);
   if (name == "preferences.automatic") settings.automatic_integrator = std::get<bool>(value);
   if (name == "preferences.snapshot-samples") settings.snapshots_have_samples = std::get<bool>(value);
+  if (name == "preferences.denoiser") {
+    Choice<render::Denoiser> choice{"preferences.denoiser", "", settings.denoiser, ""};
+    assign(choice, value);
+    settings.denoiser = choice.value;
+  }
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);
 }

@@ -37,6 +37,8 @@ Settings from_json(const json& j) {
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
   s.snapshots_have_samples = j.value("snapshots_have_samples", true);
+  for (const auto denoiser : {render::Denoiser::regression, render::Denoiser::open_image_denoise})
+    if (j.value("denoiser", "") == render::name_of(denoiser)) s.denoiser = denoiser;
   s.material_folder = j.value("material_folder", "");
   s.scene_folder = j.value("scene_folder", "");
   s.environment_folder = j.value("environment_folder", "");
@@ -60,6 +62,7 @@ json to_json(const Settings& s) {
          {"environment", s.environment},
          {"snapshot_folder", s.snapshot_folder},
          {"snapshots_have_samples", s.snapshots_have_samples},
+         {"denoiser", render::name_of(s.denoiser)},
          {"material_folder", s.material_folder},
          {"scene_folder", s.scene_folder},
          {"environment_folder", s.environment_folder},

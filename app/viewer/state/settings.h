@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "render/denoised_image.h"
 #include "viewer/platform/window_geometry.h"
 
 namespace etendue::viewer {
@@ -35,6 +36,7 @@ struct Settings {
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one
   std::string snapshot_folder;                   // empty: default_snapshot_folder()
   bool snapshots_have_samples = true;            // so that renderings continue from them
+  render::Denoiser denoiser = render::Denoiser::automatic;  // of the denoised image
   std::string material_folder;                   // library; empty: default_material_folder()
   std::string scene_folder, environment_folder;  // where the file dialog starts; empty: `folder`
   std::map<std::string, std::string> shortcuts;  // by the name of the action; only those that were changed

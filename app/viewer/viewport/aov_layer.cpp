@@ -117,21 +117,26 @@ AovImage radiance_image(std::shared_ptr<const scene::CompiledScene> scene, const
 // `features` are those of an earlier image of this version, or null.
 AovImage denoised_image(render::Session& session, const scene::CompiledScene& scene, const render::Document& document,
                         uint64_t version, std::shared_ptr<const render::DenoiseFeatures> features,
-                        const std::atomic<bool>& cancelled) {
+                        render::Denoiser denoiser, const std::atomic<bool>& cancelled) {
   if (!features)
     features = std::make_shared<render::DenoiseFeatures>(render::denoise_features(scene, document, kFeatureSamples, 0));
   const film::Film film = session.film_copy();
   const uint32_t samples = session.status().samples;
-  const auto values = render::denoised_image(film, *features, 0, [&] { return !cancelled.load(); });
+  const auto continues = [&] { return !cancelled.load(); };
+  auto denoised = render::denoised_image(film, *features, denoiser, 0, continues);
+  if (!denoised) denoised = render::denoised_image(film, *features, render::Denoiser::regression, 0, continues);
+  const auto& values = denoised->pixels;
   AovImage image{.name = kDenoisedLayer,
                  .version = version,
                  .samples = samples,
                  .is_radiance = true,
-                 .scale = formatted("%u samples per pixel; biased, for display only", samples),
+                 .scale = formatted("%u samples per pixel; %s; biased, for display only", samples,
+                                    lower_case(render::label_of(denoised->denoiser)).c_str()),
                  .width = film.width(),
                  .height = film.height(),
                  .pixels = {},
-                 .features = std::move(features)};
+                 .features = std::move(features),
+                 .denoiser = denoiser};
   for (size_t i = 0; i + 2 < values.size(); i += 3) image.pixels.push_back({values[i], values[i + 1], values[i + 2]});
   return image;
 }
@@ -156,6 +161,7 @@ bool AovLayer::is_outdated(const std::string& name) const {
   if (image_.name != name || image_.version != editor_.version()) return true;
   if (is_part_of_radiance(name)) return image_.samples < kLastSamples;
   if (!is_layer_of_film(name)) return false;
+  if (name == kDenoisedLayer && image_.denoiser != denoiser_) return true;
   const render::Status status = session_.status();
   return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
 }
@@ -175,8 +181,9 @@ void AovLayer::start_denoising(std::shared_ptr<const scene::CompiledScene> scene
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   task_.start(
       [&session = session_, scene = std::move(scene), document = editor_.document(), version,
-       features = continues ? image_.features : nullptr,
-       cancelled = cancelled_] { return denoised_image(session, *scene, document, version, features, *cancelled); },
+       features = continues ? image_.features : nullptr, denoiser = denoiser_, cancelled = cancelled_] {
+        return denoised_image(session, *scene, document, version, features, denoiser, *cancelled);
+      },
       wake_);
 }
 
@@ -198,7 +205,8 @@ void AovLayer::start(const std::string& name, std::shared_ptr<const scene::Compi
               wake_);
 }
 
-bool AovLayer::update(const std::string& name) {
+bool AovLayer::update(const std::string& name, render::Denoiser denoiser) {
+  denoiser_ = denoiser;
   bool has_new_image = false;
   if (auto image = task_.take_result()) {
     image_ = std::move(*image);

@@ -34,6 +34,7 @@ struct AovImage {
   int height = 0;
   std::vector<Rgb> pixels;                                            // linear colours
   std::shared_ptr<const render::DenoiseFeatures> features = nullptr;  // of the denoised image, for its next update
+  render::Denoiser denoiser = render::Denoiser::automatic;            // that was asked for
 };
 
 // The name of the error layer. The other names are those of render::aov_names(), render::light_path_layer_names() and
@@ -53,7 +54,8 @@ class AovLayer {
   AovLayer& operator=(const AovLayer&) = delete;
 
   // Called once per frame with the name of the layer to show, or an empty name. Returns true if there is a new image.
-  bool update(const std::string& name);
+  // Regression takes the place of a denoiser that fails.
+  bool update(const std::string& name, render::Denoiser denoiser = render::Denoiser::automatic);
   const AovImage& image() const { return image_; }
   bool is_busy() const { return task_.running(); }
 
@@ -74,6 +76,7 @@ class AovLayer {
   std::shared_ptr<std::atomic<bool>> cancelled_;  // of work that takes long
   BackgroundTask<AovImage> task_;
   Request requested_;  // what the task computes
+  render::Denoiser denoiser_ = render::Denoiser::automatic;
   AovImage image_;
 };
 

@@ -57,23 +57,6 @@ TEST_F(Cli, ReweightedFirefliesAffectThePngOnly) {
   EXPECT_EQ(slurp(folder_ / "a.exr").find("reweighted.R"), std::string::npos);
 }
 
-TEST_F(Cli, DenoisedImageIsAnAdditionalFile) {
-  ASSERT_EQ(run("render cornell --size 48x48 --spp 8 -o a.exr").code, 0);
-  ASSERT_EQ(run("render cornell --size 48x48 --spp 8 -o b.exr --denoise denoised.exr").code, 0);
-  ASSERT_EQ(run("render cornell --size 48x48 --spp 512 --seed 3 -o reference.exr").code, 0);
-  EXPECT_EQ(nlohmann::json::parse(run("compare a.exr b.exr --json").out)["mse"], 0);
-  const auto relmse = [&](const std::string& file) {
-    return nlohmann::json::parse(run("compare " + file + " reference.exr --json").out)["relmse"].get<double>();
-  };
-  EXPECT_LT(relmse("denoised.exr"), relmse("a.exr") / 2);
-  const std::string file = slurp(folder_ / "denoised.exr");
-  EXPECT_NE(file.find("etendue:denoised"), std::string::npos);
-  EXPECT_EQ(file.find("variance"), std::string::npos);
-  EXPECT_EQ(run("render cornell --size 48x48 --spp 8 -o c.exr --denoise c.png").code, 0);
-  EXPECT_TRUE(fs::exists(folder_ / "c.png"));
-  expect_error("render cornell --samples 0:4 -o p.exr --denoise d.exr", 2, "--denoise");
-}
-
 TEST_F(Cli, LikeReproducesTheImage) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --seed 3 --set material.5.metallic=1 --set film.filter=tent "
                 "--exposure 1 -o a.exr")

@@ -98,14 +98,15 @@ TEST(Methods, MayApproximateSubsurfaceScattering) {
 }
 
 TEST(Methods, MayBeDenoised) {
-  const auto methods = bench::parse_methods("path,path:denoise=true,path:denoise=false", cornell(8));
+  const auto methods = bench::parse_methods("path,path:denoise=true,path:denoise=false,path:denoise=regression", cornell(8));
   ASSERT_TRUE(methods) << methods.error().message;
-  EXPECT_FALSE(methods->at(0).is_denoised);
-  EXPECT_TRUE(methods->at(1).is_denoised);
-  EXPECT_FALSE(methods->at(2).is_denoised);
+  EXPECT_FALSE(methods->at(0).denoiser);
+  EXPECT_EQ(methods->at(1).denoiser, render::Denoiser::automatic);
+  EXPECT_FALSE(methods->at(2).denoiser);
+  EXPECT_EQ(methods->at(3).denoiser, render::Denoiser::regression);
   const auto wrong = bench::parse_methods("path:denoise=yes", cornell(8));
   ASSERT_FALSE(wrong);
-  EXPECT_NE(wrong.error().message.find("give true or false"), std::string::npos);
+  EXPECT_NE(wrong.error().message.find("give one of auto, regression, oidn, true or false"), std::string::npos);
 }
 
 // The curve of the denoised image has its errors, and the times of rendering and of the denoiser.
@@ -113,7 +114,7 @@ TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
   const auto d = cornell(24);
   render::Session session({2});
   const Reference reference = bench::render_reference(session, d, {0, 512}, {}, never_cancel);
-  Plan plan{*bench::parse_methods("path,path:denoise=true", d), 0, 8, 1, 3};
+  Plan plan{*bench::parse_methods("path,path:denoise=regression", d), 0, 8, 1, 3};
   plan.methods[1].document = plan.methods[0].document;
   const auto outcome = bench::run(session, plan, reference, never_cancel);
   const auto &raw = outcome.methods[0].curves.repeats[0].points, &denoised = outcome.methods[1].curves.repeats[0].points;
@@ -123,7 +124,9 @@ TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
   auto seeded = d;
   seeded.seed = bench::repeat_seed(plan.seed, 1, 0);
   const auto features = render::denoise_features(*session.scene(), seeded, 4, 2);
-  EXPECT_EQ(outcome.methods[1].image, render::denoised_image(render::rendered(seeded, 8, 2), features, 2));
+  const auto image =
+      render::denoised_image(render::rendered(seeded, 8, 2), features, render::Denoiser::regression, 2);
+  EXPECT_EQ(outcome.methods[1].image, image->pixels);
 }
 
 // An interruption is noticed while the denoiser runs.
@@ -131,7 +134,7 @@ TEST(Bench, DenoisingIsInterrupted) {
   const auto d = cornell(96);
   render::Session session({2});
   const Reference reference = bench::render_reference(session, d, {0, 2}, {}, never_cancel);
-  const Plan plan{*bench::parse_methods("path:denoise=true", d), 0, 1, 1, 3};
+  const Plan plan{*bench::parse_methods("path:denoise=regression", d), 0, 1, 1, 3};
   int calls = 0;
   const auto outcome = bench::run(session, plan, reference, [&](double, const std::string&) { return ++calls < 4; });
   EXPECT_TRUE(outcome.interrupted);

@@ -85,7 +85,7 @@ bench::Reference reference_of(const render::Document& d, uint32_t samples) {
 // With a fixed reference, the values equal those of the batch benchmark, and so do the images.
 TEST(LiveBenchmark, MeasuresTheSameAsTheBatchBenchmark) {
   const auto d = cornell(12);
-  LiveBenchmarkPlan plan = plan_of(d, "path:denoise=true,path-pure:sampler=random");
+  LiveBenchmarkPlan plan = plan_of(d, "path:denoise=regression,path-pure:sampler=random");
   plan.rule = Rule::equal_samples;
   plan.samples = 12;
   plan.repeats = 3;

@@ -19,6 +19,10 @@ std::shared_ptr<const scene::CompiledScene> compiled_scene(const render::Documen
   return session.scene();
 }
 
+std::vector<float> denoised(const film::Film& film, render::DenoiseFeatures features, int threads) {
+  return render::denoised_image(film, std::move(features), render::Denoiser::regression, threads)->pixels;
+}
+
 // relMSE over the channels of all pixels.
 double relmse(const std::function<Rgb(int, int)>& image, const film::Film& reference) {
   double sum = 0;
@@ -36,17 +40,17 @@ TEST(DenoisedImage, ErrorOfCornellFallsByThree) {
   auto d = test::cornell(96);
   const auto film = test::rendered(d, 16);
   const auto image =
-      render::denoised_image(film, render::denoise_features(*compiled_scene(d), d, kFeatureSamples, 2), 2);
+      denoised(film, render::denoise_features(*compiled_scene(d), d, kFeatureSamples, 2), 2);
   d.seed = d.seed + 1;
   const auto reference = test::rendered(d, 512);
   const double raw = relmse([&](int x, int y) { return film.mean(x, y); }, reference);
-  const double denoised = relmse(
+  const double error = relmse(
       [&](int x, int y) {
         const auto i = 3 * static_cast<size_t>(y * film.width() + x);
         return Rgb(image[i], image[i + 1], image[i + 2]);
       },
       reference);
-  EXPECT_LT(denoised, raw / 3) << raw;
+  EXPECT_LT(error, raw / 3) << raw;
 }
 
 TEST(DenoisedImage, SameBitsForAnyNumberOfThreads) {
@@ -54,13 +58,16 @@ TEST(DenoisedImage, SameBitsForAnyNumberOfThreads) {
   const auto film = test::rendered(d, 4);
   const auto scene = compiled_scene(d);
   const auto image = [&](int threads) {
-    return render::denoised_image(film, render::denoise_features(*scene, d, kFeatureSamples, threads), threads);
+    return denoised(film, render::denoise_features(*scene, d, kFeatureSamples, threads), threads);
   };
   EXPECT_EQ(image(1), image(2));
 }
 
 TEST(DenoisedImage, IsEmptyIfStopped) {
-  EXPECT_TRUE(render::denoised_image(film::Film(40, 40), {}, 1, [] { return false; }).empty());
+  const auto image =
+      render::denoised_image(film::Film(40, 40), {}, render::Denoiser::regression, 1, [] { return false; });
+  ASSERT_TRUE(image);
+  EXPECT_TRUE(image->pixels.empty());
 }
 
 // Features of both half-buffers are independent where edges are sampled, and zero where there is no surface.
