@@ -97,7 +97,7 @@ class Runner {
     DenoisedImages denoised(d, spec().denoiser.value_or(render::Denoiser::automatic), plan_.threads);
     const auto seconds_outside = [&] { return choice_seconds + denoised.seconds(); };
     render::Status status;
-    for (uint32_t count = 1;; count = next_sample_count(count)) {
+    for (uint32_t count = spec().denoiser ? kFirstDenoisedSamples : 1;; count = next_sample_count(count)) {
       if (!report(status)) return std::nullopt;  // short renderings end before wait_for reports
       const bool last = plan_.samples > 0 && count >= plan_.samples;
       const double seconds = std::max(kLeastRemaining * plan_.seconds, plan_.seconds - seconds_outside());

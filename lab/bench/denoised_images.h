@@ -9,6 +9,9 @@
 
 namespace etendue::bench {
 
+// The first number of samples at which they are measured: one per half-buffer, because their difference is the noise.
+inline constexpr uint32_t kFirstDenoisedSamples = film::kHalfBuffers;
+
 class DenoisedImages {
  public:
   // With 0 threads: one per hardware thread.

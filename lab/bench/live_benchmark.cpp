@@ -233,8 +233,10 @@ class LiveBenchmark::Impl {
       render::Document d = plan_.methods[m].document;
       d.seed = repeat_seed(plan_.seed, m, index);
       repeats_.push_back(std::make_unique<Repeat>(m, index, d, scene_));
-      if (const auto denoiser = plan_.methods[m].denoiser)
+      if (const auto denoiser = plan_.methods[m].denoiser) {
         repeats_.back()->denoised.emplace(d, *denoiser, plan_.threads);
+        repeats_.back()->next_measurement = kFirstDenoisedSamples;
+      }
     }
   }
 
