@@ -10,6 +10,7 @@
 #include "render/shared_sampling.h"
 #include "scene/builtin/builtin.h"
 #include "scene/variants.h"
+#include "viewer/files/file_edits.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
@@ -104,6 +105,7 @@ void open_document(AppState& state, OpenedFile opened) {
   state.selection = {};
   state.previous_integrator.clear();
   for (Task* task : all_tasks(state)) task->reset(state.task_context);
+  state.files.edits->cancel();
   state.session->pause(false);
   state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered, std::move(opened.resume_point));
   state.viewport.pivot_is_outdated = true;
@@ -177,6 +179,15 @@ void take_saved_files(AppState& state) {
   }
 }
 
+void make_file_edits(AppState& state) {
+  while (const auto edit = state.files.edits->take_result()) {
+    if (*edit)
+      (**edit)(state);
+    else
+      state.notices.add_error(edit->error().message);
+  }
+}
+
 void take_loaded_image(AppState& state) {
   const auto loaded = state.viewport.comparison->take_load_result();
   if (!loaded) return;
@@ -246,6 +257,7 @@ void update_state(AppState& state, ImageView& live_image) {
   take_saved_session(state);
   take_loaded_image(state);
   if (!state.has_document()) return;
+  make_file_edits(state);
   drop_stale_selection(state);
   state.viewport.focus.update(state);
   update_image(state, live_image);
@@ -273,7 +285,7 @@ bool has_waiting_task(const AppState& state) {
 bool is_file_active(const AppState& state) {
   const FileState& files = state.files;
   const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy() ||
-                        files.session_export->is_busy();
+                        files.session_export->is_busy() || files.edits->is_busy();
   return any_file || std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->is_saving(); });
 }
 

@@ -150,20 +150,36 @@ Result<MaterialFile> read_material_file(const std::string& file) {
   }
 }
 
-Result<Document> with_material_file(const Document& document, size_t material, const std::string& file) {
+Result<MaterialFile> read_material_with_textures(const std::string& file) {
   auto read = read_material_file(file);
-  if (!read) return read.error();
+  if (!read) return read;
+  for (MaterialFile::TextureFile& texture : read->textures) {
+    scene::StructuralEdit edit{.kind = scene::EditKind::add_texture, .file = texture.file};
+    if (const auto ok = scene::read_image(edit); !ok) return ok.error();
+    texture.image = std::move(edit.image);
+  }
+  return read;
+}
+
+Result<Document> with_material(const Document& document, size_t material, const MaterialFile& content,
+                               const std::string& file) {
   Document changed = document;
-  for (const MaterialFile::TextureFile& texture : read->textures) {
+  std::vector<Setting> settings = content.settings;
+  for (const MaterialFile::TextureFile& texture : content.textures) {
     const auto index = static_cast<int64_t>(changed.scene->textures.size());
-    auto with_texture =
-        with_structural_edit(changed, {.kind = scene::EditKind::add_texture, .file = texture.file});
+    auto with_texture = with_structural_edit(
+        changed, {.kind = scene::EditKind::add_texture, .file = texture.file, .image = texture.image});
     if (!with_texture) return with_texture.error();
     changed = std::move(*with_texture);
-    read->settings.push_back({std::string(kTexturePrefix) + texture.slot, index});
+    settings.push_back({std::string(kTexturePrefix) + texture.slot, index});
   }
-  auto result = with_material_settings(changed, material, read->settings);
+  auto result = with_material_settings(changed, material, settings);
   return result ? std::move(result) : input_error(file + ": " + result.error().message);
+}
+
+Result<Document> with_material_file(const Document& document, size_t material, const std::string& file) {
+  const auto content = read_material_file(file);
+  return content ? with_material(document, material, *content, file) : content.error();
 }
 
 }  // namespace etendue::render

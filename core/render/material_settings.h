@@ -35,12 +35,19 @@ struct MaterialFile {
   struct TextureFile {
     std::string slot;  // material/texture_slots.h
     std::string file;
+    scene::DecodedImage image{};
   };
   std::vector<TextureFile> textures{};
 };
+// Without the images of textures.
 Result<MaterialFile> read_material_file(const std::string& file);
+// With them.
+Result<MaterialFile> read_material_with_textures(const std::string& file);
 
-// The document in which the material has the parameters and textures of a file. Textures are added to the scene.
+// The document in which the material has the parameters and textures of a file; images that were not read are. Textures
+// are added to the scene. `file` is its name in messages.
+Result<Document> with_material(const Document& document, size_t material, const MaterialFile& content,
+                               const std::string& file);
 Result<Document> with_material_file(const Document& document, size_t material, const std::string& file);
 
 }  // namespace etendue::render

@@ -118,5 +118,38 @@ TEST_F(MaterialEditing, LibraryKeepsMaterials) {
   EXPECT_EQ(state("loaded.json")["parameters"]["material.0.roughness"], 0.25);
 }
 
+// The context menu of a material file adds a material, with its texture, and selects it.
+TEST_F(MaterialEditing, LibraryAddsAMaterial) {
+  json steps = loads_texture("base-color", "picture.png");
+  steps = joined(steps, json::array({set("material.name", "kept"), click("material.save"), state_after("saved.json"),
+                                     {{"do", "click"}, {"item", "material.library.0"}, {"button", "right"}},
+                                     click("material.library.0.add"), state_after("added.json"), key("ctrl+z"),
+                                     state_after("undone.json")}));
+  ASSERT_EQ(run(with_material(steps), "", 1280, 720), 0);
+  const json saved = state("saved.json"), added = state("added.json");
+  EXPECT_EQ(added["undo_depth"].get<int>(), saved["undo_depth"].get<int>() + 1);
+  const int material = added["selection"]["material"].get<int>();
+  EXPECT_GT(material, 0);
+  const json parameters = added["parameters"];
+  const std::string section = "material." + std::to_string(material);
+  EXPECT_GE(parameters[section + ".texture.base-color"].get<int>(), 0);
+  EXPECT_EQ(state("undone.json")["parameters"], saved["parameters"]);
+}
+
+// A full disk: the library has no material file, and the user is told.
+TEST_F(MaterialEditing, AFullDiskForTheLibraryIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const fs::path library = folder_ / "etendue" / "materials";
+  fs::create_directories(library);
+  fs::create_symlink("/dev/full", library / "kept-base-color.png");
+  json steps = loads_texture("base-color", "picture.png");
+  steps = joined(steps, json::array({set("material.name", "kept"), click("material.save"), state_after("s.json")}));
+  ASSERT_EQ(run(with_material(steps), "", 1280, 720), 0);
+  const json errors = state("s.json")["errors"];
+  ASSERT_EQ(errors.size(), 1U) << errors;
+  EXPECT_NE(errors[0].get<std::string>().find("kept-base-color.png"), std::string::npos) << errors;
+  EXPECT_FALSE(fs::exists(library / "kept.material"));
+}
+
 }  // namespace
 }  // namespace etendue

@@ -103,5 +103,22 @@ TEST_F(MultipleSelection, ParentsMoveTheirChildren) {
   EXPECT_EQ(differences(parameters("moved.json"), parameters("unparented.json"), ".translation.x"), 1);
 }
 
+// A row of the tree that is dropped on another one becomes its child.
+TEST_F(MultipleSelection, RowsOfTheTreeAreDroppedOnTheirParent) {
+  const json drop = {{"do", "drag"}, {"item", "scene.node.6"}, {"by", {0, -18}}};
+  ASSERT_EQ(run(joined(small(), json::array({click("view.tab.scene"), wait(4), file_step("image", path("before.exr")),
+                                             state_after("start.json"), drop, state_after("dropped.json"), wait(4),
+                                             file_step("image", path("after.exr")), click("scene.node.6"),
+                                             key("ctrl+shift+p"), state_after("unparented.json"), key("ctrl+z"),
+                                             key("ctrl+z"), state_after("end.json")})),
+                "", 1280, 720),
+            0);
+  const auto depth = [&](const char* name) { return state(name)["undo_depth"].get<int>(); };
+  EXPECT_EQ(depth("dropped.json"), depth("start.json") + 1);
+  EXPECT_EQ(depth("unparented.json"), depth("start.json") + 2) << "it has a parent";
+  EXPECT_EQ(saved_image("before.exr").find("")->pixels, saved_image("after.exr").find("")->pixels);
+  EXPECT_EQ(parameters("start.json"), parameters("end.json"));
+}
+
 }  // namespace
 }  // namespace etendue

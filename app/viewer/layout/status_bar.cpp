@@ -6,6 +6,7 @@
 
 #include "render/session.h"
 #include "render/shared_sampling.h"
+#include "viewer/files/file_edits.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/scene_export.h"
@@ -134,6 +135,7 @@ bool is_saving(const AppState& state) {
 
 std::string phase_text(const AppState& state, const render::Status& status) {
   if (is_saving(state)) return "Saving";
+  if (state.files.edits->is_busy()) return "Reading";
   const std::string exclusive = state.tasks.exclusive->status();
   std::string text = exclusive.empty() ? status.phase : exclusive;
   if (text.empty()) text = "starting";

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "render/display_frame.h"
 #include "render/document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"

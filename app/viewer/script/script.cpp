@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/json_nesting.h"
 #include "render/display_frame.h"
+#include "viewer/files/file_edits.h"
 #include "viewer/files/loader.h"
 #include "viewer/script/step.h"
 #include "viewer/state/app_state.h"
@@ -79,6 +80,8 @@ void Script::advance(AppState& state) {
   Impl& s = *impl_;
   if (s.next == 0 && !s.step && !s.scene_is_shown(state)) return;
   if (ended()) return;
+  // The next step may refer to a texture that the last one has loaded.
+  if (!s.step && state.files.edits->is_busy()) return;
   if (!s.step) {
     s.step = std::move(*make_step(s.steps[s.next]));
     ++s.next;

@@ -2,6 +2,7 @@
 
 #include "render/session.h"
 #include "render/session_file.h"
+#include "viewer/files/file_edits.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/scene_export.h"
@@ -49,6 +50,7 @@ AppState::AppState(Platform& p, const ViewOptions& o)
   files.image_export = std::make_unique<ImageExport>(*session, *editor, wake);
   files.scene_export = std::make_unique<SceneExport>(wake);
   files.session_export = std::make_unique<SessionExport>(wake);
+  files.edits = std::make_unique<FileEdits>(wake);
   viewport.aov = std::make_unique<AovLayer>(*session, *editor, wake);
   viewport.comparison = std::make_unique<Comparison>(wake);
   viewport.pixel_readout = std::make_unique<PixelReadout>(*session, *editor, wake);

@@ -45,6 +45,7 @@ class AovLayer;
 class Comparison;
 class Editor;
 class ExclusiveTask;
+class FileEdits;
 class FileThumbnails;
 class ImageExport;
 class Loader;
@@ -135,6 +136,7 @@ struct FileState {
   std::unique_ptr<ImageExport> image_export;
   std::unique_ptr<SceneExport> scene_export;
   std::unique_ptr<SessionExport> session_export;
+  std::unique_ptr<FileEdits> edits;
   std::optional<FileRequest> request;
 
   std::string session_file;  // that Save writes; empty before it has a name

@@ -6,8 +6,9 @@
 #include "material/texture_slots.h"
 #include "render/material_settings.h"
 #include "scene/structural_edit.h"
-#include "viewer/panels/object_names.h"
+#include "viewer/files/file_edits.h"
 #include "viewer/files/file_names.h"
+#include "viewer/panels/object_names.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 
@@ -50,8 +51,8 @@ void select_last_material(AppState& state) {
   state.selection.material = static_cast<int>(state.document().scene->materials.size()) - 1;
 }
 
-std::string texture_parameter(const AppState& state, const TextureSlot& slot) {
-  return "material." + std::to_string(state.selection.material) + ".texture." + slot.name;
+std::string texture_parameter(int material, const TextureSlot& slot) {
+  return "material." + std::to_string(material) + ".texture." + slot.name;
 }
 
 // The texture of the document that is equal; -1 if there is none.
@@ -72,6 +73,26 @@ bool has_texture_coordinates(const AppState& state) {
   if (!node) return true;
   const auto& primitives = state.document().scene->meshes[static_cast<size_t>(node->mesh)].primitives;
   return std::ranges::none_of(primitives, [](const scene::Primitive& p) { return p.mesh && p.mesh->uvs[0].empty(); });
+}
+
+// Gives a material the texture that `edit` adds. The material may have been removed since the image was asked for.
+void set_texture(AppState& state, const TextureSlot& slot, const scene::StructuralEdit& edit, int material) {
+  if (!scene::has_material(*state.document().scene, material)) return;
+  const auto index = static_cast<int64_t>(state.document().scene->textures.size());
+  auto changed = render::with_structural_edit(state.document(), edit);
+  if (changed) changed = render::with(*changed, texture_parameter(material, slot), Value(index));
+  if (!apply_result(state, std::move(changed), std::string("Texture ") + slot.label)) return;
+  if (!has_texture_coordinates(state))
+    state.notices.add_message("The selected object has no texture coordinates, so it shows one texel of the texture.");
+}
+
+void add_material_of(AppState& state, const std::string& file, const render::MaterialFile& content) {
+  const scene::Scene& scene = *state.document().scene;
+  const std::string name = free_material_name(scene, fs::path(file).stem().string());
+  auto changed =
+      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_material, .name = name});
+  if (changed) changed = render::with_material(*changed, scene.materials.size(), content, file);
+  if (apply_result(state, std::move(changed), "Add " + name)) select_last_material(state);
 }
 
 // A name without characters that separate folders.
@@ -173,18 +194,16 @@ void set_model_preset(AppState& state, const std::string& model, const std::stri
 
 void load_texture(AppState& state, const TextureSlot& slot, const std::string& file) {
   if (!has_selected_material(state)) return;
-  const auto index = static_cast<int64_t>(state.document().scene->textures.size());
-  auto changed =
-      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_texture, .file = file});
-  if (changed) changed = render::with(*changed, texture_parameter(state, slot), Value(index));
-  if (!apply_result(state, std::move(changed), std::string("Texture ") + slot.label)) return;
-  if (!has_texture_coordinates(state))
-    state.notices.add_message("The selected object has no texture coordinates, so it shows one texel of the texture.");
+  state.files.edits->start([&slot, file, material = state.selection.material]() -> Result<FileEdits::Edit> {
+    scene::StructuralEdit edit{.kind = scene::EditKind::add_texture, .file = file};
+    if (const auto ok = scene::read_image(edit); !ok) return ok.error();
+    return FileEdits::Edit([&slot, edit, material](AppState& s) { set_texture(s, slot, edit, material); });
+  });
 }
 
 void remove_texture(AppState& state, const TextureSlot& slot) {
   if (!has_selected_material(state)) return;
-  apply_result(state, render::with(state.document(), texture_parameter(state, slot), Value(int64_t{-1})),
+  apply_result(state, render::with(state.document(), texture_parameter(state.selection.material, slot), Value(int64_t{-1})),
                std::string("Remove texture ") + slot.label);
 }
 
@@ -193,37 +212,41 @@ fs::path material_folder(const AppState& state) {
   return default_material_folder();
 }
 
-std::string save_to_library(AppState& state) {
+void save_to_library(AppState& state) {
   const fs::path folder = material_folder(state);
-  if (!has_selected_material(state) || folder.empty()) return "";
-  std::error_code code;
-  fs::create_directories(folder, code);
+  if (!has_selected_material(state) || folder.empty()) return;
   const std::string stem = file_stem_of(material_name(state, selected_material(state)));
-  const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
-  const auto written =
-      render::write_material_file(file.string(), *state.document().scene, selected_material(state));
-  if (!written) {
-    state.notices.add_error(written.error().message);
-    return "";
-  }
-  state.notices.add_message("Saved " + file.string());
-  return file.string();
+  state.files.edits->start([folder, stem, scene = state.document().scene,
+                            material = selected_material(state)]() -> Result<FileEdits::Edit> {
+    std::error_code code;
+    fs::create_directories(folder, code);
+    const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
+    if (const auto written = render::write_material_file(file.string(), *scene, material); !written)
+      return written.error();
+    return FileEdits::Edit([file](AppState& s) { s.notices.add_message("Saved " + file.string()); });
+  });
 }
 
 void apply_material_file(AppState& state, const std::string& file) {
   if (!has_selected_material(state)) return;
-  apply_result(state, render::with_material_file(state.document(), selected_material(state), file),
-               "Load " + fs::path(file).stem().string());
+  state.files.edits->start([file, material = state.selection.material]() -> Result<FileEdits::Edit> {
+    auto content = render::read_material_with_textures(file);
+    if (!content) return content.error();
+    return FileEdits::Edit([file, material, content = std::move(*content)](AppState& s) {
+      if (!scene::has_material(*s.document().scene, material)) return;
+      apply_result(s, render::with_material(s.document(), static_cast<size_t>(material), content, file),
+                   "Load " + fs::path(file).stem().string());
+    });
+  });
 }
 
 void add_material_from_file(AppState& state, const std::string& file) {
   if (!state.has_document()) return;
-  const scene::Scene& scene = *state.document().scene;
-  const std::string name = free_material_name(scene, fs::path(file).stem().string());
-  auto changed =
-      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_material, .name = name});
-  if (changed) changed = render::with_material_file(*changed, scene.materials.size(), file);
-  if (apply_result(state, std::move(changed), "Add " + name)) select_last_material(state);
+  state.files.edits->start([file]() -> Result<FileEdits::Edit> {
+    auto content = render::read_material_with_textures(file);
+    if (!content) return content.error();
+    return FileEdits::Edit([file, content = std::move(*content)](AppState& s) { add_material_of(s, file, content); });
+  });
 }
 
 }  // namespace etendue::viewer

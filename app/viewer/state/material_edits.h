@@ -41,14 +41,15 @@ bool can_assign_material(const AppState& state);
 // Selects a reflection model with the values of a preset.
 void set_model_preset(AppState& state, const std::string& model, const std::string& preset);
 
-// The texture of a slot from an image file, or none.
+// The texture of a slot from an image file, which is read in the background (FileEdits), or none.
 void load_texture(AppState& state, const TextureSlot& slot, const std::string& file);
 void remove_texture(AppState& state, const TextureSlot& slot);
 
 // Where material files are: the folder of the settings, or $XDG_DATA_HOME/etendue/materials. Empty if there is none.
 std::filesystem::path material_folder(const AppState& state);
-// Saves the material in the folder, under a name that no file has. Returns the file; empty after an error.
-std::string save_to_library(AppState& state);
+// The following read and write in the background.
+// Saves the material in the folder, under a name that no file has.
+void save_to_library(AppState& state);
 // Replaces the parameters of the material by those of a file.
 void apply_material_file(AppState& state, const std::string& file);
 // Adds a material of the scene from a file, and selects it.
