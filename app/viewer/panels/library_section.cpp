@@ -12,8 +12,10 @@
 #include "viewer/tasks/file_thumbnails.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/image_tooltip.h"
 
 namespace etendue::viewer {
+
 void LibrarySection::read_folder(const AppState& state) {
   const std::string folder = material_folder(state).string();
   std::error_code code;
@@ -38,13 +40,19 @@ void LibrarySection::draw_file(AppState& state, const std::string& file, size_t 
   state.ui.items.add(item);
   const ImVec2 end(corner.x + side, corner.y + side);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (const ThumbnailImage* image = state.tasks.thumbnails->find(file))
-    draw.AddImage(thumbnails_.texture(state.platform.gl(), index, *image), corner, end);
+  const ThumbnailImage* image = state.tasks.thumbnails->find(file);
+  const ImTextureID texture = image ? thumbnails_.texture(state.platform.gl(), index, *image) : nullptr;
+  if (image)
+    draw.AddImage(texture, corner, end);
   else
     draw.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
   if (ImGui::IsItemHovered()) {
+    const std::string text = name + "\nA click gives the selected material these parameters. Right click: more";
     draw.AddRect(corner, end, ImGui::GetColorU32(state.ui.theme.accent), 0, 0, 2);
-    tooltip(state.ui, name + "\nA click gives the selected material these parameters. Right click: more");
+    if (image)
+      image_tooltip(state.ui, texture, *image, text);
+    else
+      tooltip(state.ui, text);
   }
   if (ImGui::BeginPopupContextItem("##menu")) {
     if (ImGui::MenuItem("Add as new material")) add_material_from_file(state, file);

@@ -19,6 +19,7 @@
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/filter_box.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/image_tooltip.h"
 #include "viewer/widgets/thumbnails.h"
 #include "viewer/widgets/value_text.h"
 
@@ -42,7 +43,7 @@ std::string caption(const TechniqueImages& techniques, const TechniqueImage& ima
   return share ? name + "  " + advisor::percent(*share) : name;
 }
 
-std::string image_tooltip(const TechniqueImages& techniques, const TechniqueImage& image, bool disabled) {
+std::string technique_description(const TechniqueImages& techniques, const TechniqueImage& image, bool disabled) {
   std::string text = formatted("s = %d, t = %d: ", image.s, image.t) + describe_technique(image.s, image.t) + "\n" +
                      formatted("Paths of %d %s.", image.edges(), image.edges() == 1 ? "edge" : "edges");
   if (const auto share = techniques.share(image))
@@ -208,15 +209,15 @@ class TechniquesPanel final : public Panel {
     ui.items.add(formatted("techniques.cell.%d.%d", image.s, image.t));
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg, available ? 1 : 0.4f));
-    if (image.pixels && !disabled) {
-      const auto& display = state.document().display;
-      const ThumbnailImage thumbnail{.width = techniques.width,
-                                     .height = techniques.height,
-                                     .pixels = image.pixels,
-                                     .exposure = display.exposure + task_.parameters.exposure,
-                                     .curve = display.curve};
-      draw->AddImage(thumbnails_.texture(state.platform.gl(), index, thumbnail), corner, end);
-    }
+    const auto& display = state.document().display;
+    const ThumbnailImage thumbnail{.width = techniques.width,
+                                   .height = techniques.height,
+                                   .pixels = disabled ? nullptr : image.pixels,
+                                   .exposure = display.exposure + task_.parameters.exposure,
+                                   .curve = display.curve};
+    const ImTextureID texture =
+        thumbnail.pixels ? thumbnails_.texture(state.platform.gl(), index, thumbnail) : nullptr;
+    if (texture) draw->AddImage(texture, corner, end);
     if (!disabled && !available) {
       const char* text = "none";
       const ImVec2 text_size = ImGui::CalcTextSize(text);
@@ -231,7 +232,11 @@ class TechniquesPanel final : public Panel {
     if (hovered) draw->AddRect(corner, end, ImGui::GetColorU32(ui.theme.accent), 0, 0, 2);
     const ImVec4& caption_color = disabled || !available ? ui.theme.secondary_text : ui.theme.text;
     draw->AddText({corner.x, end.y}, ImGui::GetColorU32(caption_color), caption(techniques, image, disabled).c_str());
-    if (hovered) tooltip(ui, image_tooltip(techniques, image, disabled));
+    const std::string description = hovered ? technique_description(techniques, image, disabled) : "";
+    if (hovered && texture)
+      image_tooltip(ui, texture, thumbnail, description);
+    else if (hovered)
+      tooltip(ui, description);
     if (clicked && (disabled || available)) toggle(state, image);
   }
 

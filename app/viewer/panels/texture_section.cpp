@@ -13,12 +13,13 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/material_edits.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/image_tooltip.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr int kThumbnailSide = 64;  // pixels
+constexpr int kThumbnailSide = 256;  // pixels, so that it can be enlarged
 
 // A channel of a pixel from 0 to 1 as it is displayed. Grey images have equal RGB, images without alpha are opaque.
 float channel_value(const image::Image& image, size_t pixel, int channel) {
@@ -111,6 +112,7 @@ void TextureSection::draw_slot(AppState& state, const TextureSlot& slot, const T
   const std::string section = "material." + std::to_string(state.selection.material);
   const std::string item = std::string("material.texture.") + slot.name;
   ImGui::PushID(slot.name);
+  const std::string full_name = texture.name.empty() ? "Texture without a name" : texture.name;
   const float side = 3.2f * ImGui::GetFrameHeight();
   if (texture.image) {
     Shown& shown = shown_[index];
@@ -119,14 +121,16 @@ void TextureSection::draw_slot(AppState& state, const TextureSlot& slot, const T
     const float scale = side / static_cast<float>(std::max(shown.thumbnail.width, shown.thumbnail.height));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({side, side});
-    ImGui::GetWindowDrawList()->AddImage(thumbnails_.texture(state.platform.gl(), index, shown.thumbnail), corner,
+    const ImTextureID thumbnail = thumbnails_.texture(state.platform.gl(), index, shown.thumbnail);
+    ImGui::GetWindowDrawList()->AddImage(thumbnail, corner,
                                          {corner.x + scale * static_cast<float>(shown.thumbnail.width),
                                           corner.y + scale * static_cast<float>(shown.thumbnail.height)});
+    if (ImGui::IsItemHovered()) image_tooltip(state.ui, thumbnail, shown.thumbnail, full_name);
   } else {
     ImGui::Dummy({side, side});
+    if (ImGui::IsItemHovered()) tooltip(state.ui, full_name);
   }
   state.ui.items.add(item);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, texture.name.empty() ? "Texture without a name" : texture.name);
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::TextUnformatted(slot.label);

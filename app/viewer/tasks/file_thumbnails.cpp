@@ -91,7 +91,7 @@ Result<ThumbnailImage> reduced_image(const std::string& file) {
 
 // The material on a sphere in studio light.
 Result<ThumbnailImage> material_image(const std::string& file) {
-  constexpr int kSide = 96;  // pixels
+  constexpr int kSide = 128;  // pixels
   render::Document document;
   auto scene = std::make_shared<scene::Scene>();
   scene->materials.emplace_back();
