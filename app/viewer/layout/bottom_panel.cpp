@@ -40,7 +40,7 @@ void draw_tab(AppState& state, Panel& panel) {
   const bool clicked = ImGui::Selectable(info.label, open, 0, {ImGui::CalcTextSize(info.label).x, 0});
   ImGui::PopStyleColor();
   state.ui.items.add(info.name);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  if (ImGui::IsItemHovered() && !open) tooltip(state.ui, info.description);
   tab_menu(state, panel);
   if (clicked) state.panels.toggle(panel);
 }

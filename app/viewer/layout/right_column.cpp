@@ -53,7 +53,8 @@ void draw_tab(AppState& state, Panel& panel, bool select) {
   const PanelInfo info = panel.info();
   const bool open = ImGui::BeginTabItem(info.label, nullptr, select ? ImGuiTabItemFlags_SetSelected : 0);
   state.ui.items.add(info.name);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  // The tooltip would cover the filter of the panel that a click has opened.
+  if (ImGui::IsItemHovered() && !open) tooltip(state.ui, info.description);
   tab_menu(state, panel);
   if (!open) return;
   state.panels.set_selected_tab(panel);

@@ -34,10 +34,11 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-// Whether the description of a parameter says that 0 stands for no limit.
-bool zero_is_no_limit(const std::string& doc) {
+// What 0 stands for according to the description of a parameter; empty if it is a number like others.
+std::string meaning_of_zero(const std::string& doc) {
   const auto contains = [&](const char* text) { return doc.find(text) != std::string::npos; };
-  return contains("no limit") || contains("unlimited") || contains("0 goes on");
+  if (contains("no limit") || contains("unlimited") || contains("0 goes on")) return " (no limit)";
+  return contains("0: one per hardware thread") ? " (automatic)" : "";
 }
 
 // A printf format with enough digits for the range of the parameter.
@@ -47,7 +48,7 @@ std::string format_of(const ParameterInfo& info, double value) {
   if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3)
     format = "%.3f";
   if (!info.unit.empty()) format += " " + escaped(info.unit);
-  if (value == 0 && zero_is_no_limit(info.doc)) format += " (no limit)";
+  if (value == 0) format += meaning_of_zero(info.doc);
   return format;
 }
 

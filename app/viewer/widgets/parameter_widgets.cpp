@@ -53,16 +53,29 @@ WidgetEdit choice_widget(UiContext& ui, const ParameterInfo& info) {
   return edit;
 }
 
+// What a text field shows for a value: the label of a proposal. An empty text stays empty.
+std::string text_of_value(const ParameterInfo& info, const std::string& value) {
+  const auto found = static_cast<size_t>(std::ranges::find(info.options, value) - info.options.begin());
+  return value.empty() || found >= info.options.size() ? value : info.option_labels[found];
+}
+
+// The value for a text that was typed: a label stands for its proposal.
+std::string value_of_text(const ParameterInfo& info, const std::string& text) {
+  const auto found = static_cast<size_t>(std::ranges::find(info.option_labels, text) - info.option_labels.begin());
+  return text.empty() || found >= info.options.size() ? text : info.options[found];
+}
+
 // A text field with a list of proposals. Errors of the text are shown while it is typed.
 WidgetEdit text_widget(AppState& state, const ParameterInfo& info) {
   WidgetEdit edit;
   UiContext& ui = state.ui;
   const auto& current = std::get<std::string>(info.default_value);
-  std::string text = current;  // while the field is active, ImGui keeps the edited text itself
+  std::string shown = text_of_value(info, current);  // while the field is active, ImGui keeps the edited text itself
   ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight());
   ImGui::PushFont(ui.fonts.monospace);
   const std::string hint = info.option_labels.empty() ? "" : info.option_labels.front();
-  const bool entered = ImGui::InputTextWithHint("##text", hint.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##text", hint.c_str(), &shown, ImGuiInputTextFlags_EnterReturnsTrue);
+  const std::string text = value_of_text(info, shown);
   ImGui::PopFont();
   const bool active = ImGui::IsItemActive();
   describe_item(ui, info);
