@@ -13,11 +13,17 @@ namespace etendue {
 
 enum class SkyModel : uint8_t { preetham, hosek_wilkie };
 
-// A clear sky with a sun (environments/sky.h).
+enum class SunPosition : uint8_t { angles, time };
+
+// A clear sky with a sun (environments/sky.h). The angles of the sun are given, or follow from a place and a time.
 struct Sky {
   SkyModel model = SkyModel::preetham;
+  SunPosition sun_position = SunPosition::angles;
   float sun_elevation = 0.7f;  // radians above the horizon
   float sun_azimuth = 0.9f;    // radians; 0 is +z, pi / 2 is +x
+  float latitude = 0.84f;      // radians, north is positive
+  int day = 172;               // of the year, from 1; 172 is the solstice in June
+  float hour = 12;             // of local solar time: the sun is highest at 12
   float turbidity = 3;         // optical depth of the atmosphere over that of pure air: 2 is very clear, 10 hazy
   float ground_albedo = 0.2f;
   bool sun_disk = true;  // the sun itself emits; without it only the sky does

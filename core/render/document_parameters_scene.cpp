@@ -10,6 +10,15 @@
 #include "scene/keyframes.h"
 #include "scene/variants.h"
 
+namespace etendue {
+
+template <>
+struct Options<SunPosition> {
+  static constexpr std::array<Option, 2> kOptions{{{"angles", "Elevation and azimuth"}, {"time", "Place and time"}}};
+};
+
+}  // namespace etendue
+
 namespace etendue::render {
 namespace {
 
@@ -120,10 +129,33 @@ void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
     list.push_back(
         make_parameter("environment", Number<float>{name, label, sky.*member, range, doc, unit}, store(member)));
   };
+  const auto needs = [&](SunPosition position, const char* reason) {
+    if (sky.sun_position != position) list.back().inactive_reason = reason;
+  };
+  constexpr const char* kNeedsAngles = "the place and the time determine it: set environment.sun-position to angles";
+  constexpr const char* kNeedsTime = "the sun has given angles: set environment.sun-position to time";
+  list.push_back(make_parameter("environment",
+                                Choice<SunPosition>{"sun-position", "Sun position", sky.sun_position,
+                                                    "Whether the angles of the sun are given or follow from a place "
+                                                    "and a time"},
+                                store(&Sky::sun_position)));
   add_number("sun-elevation", "Sun elevation", &Sky::sun_elevation, {0, kPi / 2},
              "Angle of the sun above the horizon. Low suns are red and weak", "rad");
+  needs(SunPosition::angles, kNeedsAngles);
   add_number("sun-azimuth", "Sun azimuth", &Sky::sun_azimuth, {-2 * kPi, 2 * kPi},
              "Angle of the sun about the vertical axis, from +z towards +x", "rad");
+  needs(SunPosition::angles, kNeedsAngles);
+  add_number("latitude", "Latitude", &Sky::latitude, {-kPi / 2, kPi / 2},
+             "Of the place. North is positive; -z is north and +x is east", "rad");
+  needs(SunPosition::time, kNeedsTime);
+  list.push_back(make_parameter("environment",
+                                Number<int>{"day", "Day of the year", sky.day, {1, 365},
+                                            "The equinoxes are days 81 and 264, the solstices 172 and 355"},
+                                store(&Sky::day)));
+  needs(SunPosition::time, kNeedsTime);
+  add_number("hour", "Time of day", &Sky::hour, {0, 24},
+             "Local solar time: the sun is highest at 12. At night the sky is that of sunset without the sun", "h");
+  needs(SunPosition::time, kNeedsTime);
   add_number(
       "turbidity", "Turbidity", &Sky::turbidity, {least_turbidity(sky.model), kLargestTurbidity},
       "Haze: optical depth of the atmosphere relative to pure air. 2 is very clear, 6 hazy; higher makes the sky "

@@ -36,7 +36,7 @@ double hosek_interpolated(double albedo, double turbidity, Curve&& curve) {
 
 HosekSky::HosekSky(const Sky& sky) : sun_(sun_direction(sky)) {
   const auto albedo = static_cast<double>(sky.ground_albedo), turbidity = static_cast<double>(sky.turbidity);
-  const double elevation = std::clamp(static_cast<double>(sky.sun_elevation), 0.0, M_PI / 2);
+  const double elevation = std::clamp(static_cast<double>(sun_angles(sky).elevation), 0.0, M_PI / 2);
   const double t = std::cbrt(elevation / (M_PI / 2));
   for (size_t c = 0; c < components_.size(); ++c) {
     for (size_t k = 0; k < 9; ++k)

@@ -50,7 +50,7 @@ class PreethamSky {
  public:
   explicit PreethamSky(const Sky& sky) : sun_(sun_direction(sky)) {
     const double t = sky.turbidity;
-    theta_ = kPiD / 2 - std::clamp(static_cast<double>(sky.sun_elevation), 0.0, kPiD / 2);
+    theta_ = kPiD / 2 - std::clamp(static_cast<double>(sun_angles(sky).elevation), 0.0, kPiD / 2);
     luminance_ = {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771,
                   -0.0670 * t + 0.3703};
     x_ = {-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125, -0.0641 * t - 0.8989, -0.0033 * t + 0.0452};
@@ -101,7 +101,7 @@ std::shared_ptr<const image::Image> map_of(const Sky& sky) {
   auto map = std::make_shared<image::Image>(sky.model == SkyModel::preetham ? map_above_horizon(PreethamSky(sky))
                                                                             : map_above_horizon(HosekSky(sky)));
   Rgb illuminance = illuminance_of(*map);
-  if (sky.sun_disk) illuminance += sun_radiance(sky) * (solid_angle_of_sun() * std::sin(sky.sun_elevation));
+  if (sky.sun_disk) illuminance += sun_radiance(sky) * (solid_angle_of_sun() * std::sin(sun_angles(sky).elevation));
   const Rgb ground = illuminance * (sky.ground_albedo * kInvPi);
   for (size_t at = map->floats.size() / 2; at < map->floats.size(); ++at)
     map->floats[at] = ground[static_cast<int>(at % 3)];
@@ -133,7 +133,7 @@ Environment make_sky(const Sky& sky) {
   environment.file = sky.model == SkyModel::preetham ? kSky.name : kHosekSkyName;
   environment.tint = Rgb(1);
   environment.sky = sky;
-  if (sky.sun_disk)
+  if (sky.sun_disk && sun_angles(sky).is_up)
     environment.sun = SunDisk{.direction = sun_direction(sky),
                               .radiance = sun_radiance(sky),
                               .angular_radius = kSunAngularRadius,

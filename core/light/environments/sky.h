@@ -8,7 +8,8 @@
 //
 // Limits: the fit holds for turbidities from 2 to 6 and becomes inaccurate for hazier air. With a high sun and clear
 // air the sky has up to 1.8 times the illuminance of handbooks (15 klx at 60 degrees). Close to sunset it is too dark
-// around the sun and too bright opposite to it. The ground does not brighten the sky.
+// around the sun and too bright opposite to it. The ground does not brighten the sky. There is no twilight: at night the
+// sky stays that of sunset, without the sun.
 #pragma once
 #include "light/environments/builtin_environment.h"
 #include "light/environments/sun.h"

@@ -36,17 +36,37 @@ double air_mass_of(double elevation) {
   return 1 / (std::sin(elevation) + 0.15 * std::pow(elevation * 180 / M_PI + 3.885, -1.253));
 }
 
+// Of the sun from the equator, radians [Cooper 1969].
+double declination_of(int day) { return 23.45 * M_PI / 180 * std::sin(2 * M_PI * (284 + day) / 365); }
+
 }  // namespace
 
 float solid_angle_of_sun() { return 4 * kPi * sqr(std::sin(0.5f * kSunAngularRadius)); }
 
+SunAngles sun_angles(const Sky& sky) {
+  if (sky.sun_position == SunPosition::angles)
+    return {.elevation = sky.sun_elevation, .azimuth = sky.sun_azimuth, .is_up = true};
+  const double latitude = sky.latitude, declination = declination_of(sky.day), angle = (sky.hour - 12) * M_PI / 12;
+  const double sine = std::sin(latitude) * std::sin(declination) +
+                      std::cos(latitude) * std::cos(declination) * std::cos(angle);
+  const double east = -std::cos(declination) * std::sin(angle);
+  const double north = std::sin(declination) * std::cos(latitude) -
+                       std::cos(declination) * std::sin(latitude) * std::cos(angle);
+  return {.elevation = static_cast<float>(std::asin(std::clamp(sine, 0.0, 1.0))),
+          .azimuth = static_cast<float>(std::atan2(east, -north)),
+          .is_up = sine >= 0};
+}
+
 Vec3 sun_direction(const Sky& sky) {
-  const float across = std::cos(sky.sun_elevation);
-  return {std::sin(sky.sun_azimuth) * across, std::sin(sky.sun_elevation), std::cos(sky.sun_azimuth) * across};
+  const SunAngles sun = sun_angles(sky);
+  const float across = std::cos(sun.elevation);
+  return {std::sin(sun.azimuth) * across, std::sin(sun.elevation), std::cos(sun.azimuth) * across};
 }
 
 Rgb sun_radiance(const Sky& sky) {
-  const double air_mass = air_mass_of(std::max(static_cast<double>(sky.sun_elevation), 0.0));
+  const SunAngles sun = sun_angles(sky);
+  if (!sun.is_up) return Rgb(0);
+  const double air_mass = air_mass_of(std::max(static_cast<double>(sun.elevation), 0.0));
   const Rgb color = filtered_blackbody_color(kSunTemperature, [&](double wavelength) {
     return transmittance(wavelength, air_mass, static_cast<double>(sky.turbidity));
   });

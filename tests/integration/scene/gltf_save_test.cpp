@@ -527,8 +527,12 @@ TEST_F(Saving, SkiesOfBothModels) {
   for (const SkyModel model : {SkyModel::preetham, SkyModel::hosek_wilkie}) {
     scene::Scene before = scene::find_builtin("cornell")->make();
     before.environment = make_sky({.model = model,
+                                   .sun_position = SunPosition::time,
                                    .sun_elevation = 0.3f,
                                    .sun_azimuth = -1,
+                                   .latitude = -0.6f,
+                                   .day = 20,
+                                   .hour = 16.5f,
                                    .turbidity = least_turbidity(model),
                                    .ground_albedo = 0.7f,
                                    .sun_disk = false});

@@ -26,6 +26,48 @@ Sky sky_at(float degrees, float turbidity = 3) {
   return sky;
 }
 
+// At the equinox the sun rises in the east at 6, culminates at 90 degrees minus the latitude in the south, and sets in the
+// west; at the solstice it is at the zenith of the tropic; at a pole its elevation is the declination.
+TEST(SunAngles, FollowFromPlaceAndTime) {
+  constexpr int kEquinox = 81, kSolstice = 172;
+  const auto at = [](float latitude, int day, float hour) {
+    Sky sky;
+    sky.sun_position = SunPosition::time;
+    sky.latitude = latitude * kPi / 180;
+    sky.day = day;
+    sky.hour = hour;
+    return sky;
+  };
+  const auto expect_direction = [&](const Sky& sky, const Vec3& expected) {
+    const Vec3 direction = sun_direction(sky);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(direction[c], expected[c], 1e-6) << sky.hour << " h, axis " << c;
+  };
+  const float sine = std::sin(50 * kPi / 180), cosine = std::cos(50 * kPi / 180);
+  expect_direction(at(50, kEquinox, 6), {1, 0, 0});
+  expect_direction(at(50, kEquinox, 12), {0, cosine, sine});
+  expect_direction(at(50, kEquinox, 18), {-1, 0, 0});
+  expect_direction(at(-50, kEquinox, 12), {0, cosine, -sine});
+  EXPECT_NEAR(sun_angles(at(23.45f, kSolstice, 12)).elevation, kPi / 2, 2e-3);
+  for (const float hour : {0.0f, 7.0f, 12.0f})
+    EXPECT_NEAR(sun_angles(at(90, kSolstice, hour)).elevation, 23.45f * kPi / 180, 1e-3) << hour;
+}
+
+// At night there is no sun; in the evening it is weaker than at noon.
+TEST(SunAngles, TheSunDoesNotShineAtNight) {
+  Sky sky;
+  sky.sun_position = SunPosition::time;
+  const auto radiance_at = [&](float hour) {
+    sky.hour = hour;
+    return y_of(sun_radiance(sky));
+  };
+  EXPECT_EQ(radiance_at(0), 0);
+  EXPECT_GT(radiance_at(19), 0);
+  EXPECT_LT(radiance_at(19), 0.5 * radiance_at(12));
+  sky.hour = 0;
+  EXPECT_FALSE(sun_angles(sky).is_up);
+  EXPECT_FALSE(make_sky(sky).sun);
+}
+
 // Illuminance of the horizontal by the map, without the sun's disk.
 double horizontal_illuminance(const Sky& sky) {
   RandomNumbers random(1);

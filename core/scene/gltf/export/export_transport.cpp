@@ -20,6 +20,10 @@ void put_sky(Json& to, const Sky& sky) {
   const Sky defaults;
   put(to, "sunElevation", sky.sun_elevation, defaults.sun_elevation);
   put(to, "sunAzimuth", sky.sun_azimuth, defaults.sun_azimuth);
+  if (sky.sun_position == SunPosition::time) to["sunByTime"] = true;
+  put(to, "latitude", sky.latitude, defaults.latitude);
+  if (sky.day != defaults.day) to["dayOfYear"] = sky.day;
+  put(to, "solarHour", sky.hour, defaults.hour);
   put(to, "turbidity", sky.turbidity, defaults.turbidity);
   put(to, "groundAlbedo", sky.ground_albedo, defaults.ground_albedo);
   if (!sky.sun_disk) to["sunDisk"] = false;

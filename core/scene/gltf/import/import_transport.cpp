@@ -56,6 +56,10 @@ Sky read_sky(TransportReader& reader, const Sky& defaults) {
   Sky sky = defaults;
   sky.sun_elevation = reader.number("sunElevation", defaults.sun_elevation, 0, kPi / 2);
   sky.sun_azimuth = reader.number("sunAzimuth", defaults.sun_azimuth, -2 * kPi, 2 * kPi);
+  sky.latitude = reader.number("latitude", defaults.latitude, -kPi / 2, kPi / 2);
+  sky.day = static_cast<int>(reader.number("dayOfYear", static_cast<float>(defaults.day), 1, 365));
+  sky.hour = reader.number("solarHour", defaults.hour, 0, 24);
+  if (reader.flag("sunByTime", false)) sky.sun_position = SunPosition::time;
   sky.turbidity = reader.number("turbidity", defaults.turbidity, least_turbidity(sky.model), kLargestTurbidity);
   sky.ground_albedo = reader.number("groundAlbedo", defaults.ground_albedo, 0, 1);
   sky.sun_disk = reader.flag("sunDisk", defaults.sun_disk);
