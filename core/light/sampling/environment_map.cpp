@@ -100,9 +100,10 @@ struct EnvironmentMap::Corners {
 };
 
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment) {
-  environment_.tint = mean_ = environment.spectrum.applied_to(environment.tint);
+  const Rgb tint = environment.spectrum.applied_to(environment.tint);
+  environment_.tint = mean_ = tint;
   prepare_map();
-  prepare_sun(mean_);
+  prepare_sun(tint);
   prepare_densities();
 }
 

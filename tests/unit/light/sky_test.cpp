@@ -80,6 +80,28 @@ double horizontal_illuminance(const Sky& sky) {
   return sum * static_cast<double>(kPi) / kSamples;
 }
 
+// The illuminance of the horizontal by directions that the environment samples is that of the sun's disk and of the map,
+// also with a tint. The sun is in one direction, so the standard error is that of the sky: below 1 %.
+TEST(SkySampling, HasTheIlluminanceOfSunAndSky) {
+  for (const float tint : {1.0f, 0.25f}) {
+    const Sky sky = sky_at(40);
+    Environment environment = make_sky(sky);
+    environment.tint = Rgb(tint);
+    const EnvironmentMap map(environment);
+    RandomNumbers random(2);
+    double sum = 0;
+    constexpr int kSamples = 50'000;
+    for (int i = 0; i < kSamples; ++i) {
+      const auto sample = map.sample(random.pair(), false);
+      if (sample.direction.y > 0 && sample.pdf_solid_angle > 0)
+        sum += y_of(sample.radiance) * static_cast<double>(sample.direction.y / sample.pdf_solid_angle);
+    }
+    const double sun = y_of(sun_radiance(sky)) * static_cast<double>(solid_angle_of_sun()) * std::sin(40 * M_PI / 180);
+    const double expected = static_cast<double>(tint) * (sun + horizontal_illuminance(sky));
+    EXPECT_NEAR(sum / kSamples, expected, 0.04 * expected) << tint;
+  }
+}
+
 // The luminance of the zenith in kcd/m^2 [Preetham et al. 1999, eq. A.1], which the gamut of Rec. 709 contains.
 TEST(Sky, ZenithHasItsLuminance) {
   for (const float elevation : {10.0f, 35.0f, 60.0f})
