@@ -30,7 +30,8 @@ exr 2 8192
 script 4 4096
 settings 1 4096
 oiio 1 8192
-state 2 4096
+state 1 4096
+material 1 4096
 part 1 8192
 glb 4 32768
 gltf 6 32768"

@@ -52,6 +52,8 @@ std::vector<Bytes> files() {
   settings.ui_scale = 1.25f;
   settings.threads = 3;
   settings.environment = "sunset";
+  settings.denoiser = render::Denoiser::regression;
+  settings.snapshots_have_samples = false;
   settings.shortcuts = {{"file.open", "ctrl+j"}, {"view.fit", "f2 shift+f3"}};
   std::vector<Bytes> seeds;
   for (const viewer::Settings& stored : {viewer::Settings(), settings}) {

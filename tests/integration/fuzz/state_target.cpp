@@ -22,12 +22,23 @@ void read_state(Input input) {
 render::Document with_edited_objects(render::Document document) {
   using scene::EditKind;
   const int nodes = static_cast<int>(document.scene->nodes.size());
-  for (const scene::StructuralEdit& edit : {scene::StructuralEdit{EditKind::add_light, -1, "spot", "light"},
-                                            {EditKind::add_shape, -1, "sphere", "ball"},
-                                            {EditKind::add_camera, -1, {}, "view"},
-                                            {EditKind::duplicate, 1, {}, "copy"},
-                                            {EditKind::remove, nodes, {}, {}},
-                                            {EditKind::rename, 0, {}, "first"}}) {
+  const scene::Transform moved{.translation = {0, 1, 2}};
+  for (const scene::StructuralEdit& edit :
+       {scene::StructuralEdit{EditKind::add_light, -1, "spot", "light"},
+        {EditKind::add_shape, -1, "sphere", "ball"},
+        {EditKind::add_camera, -1, {}, "view"},
+        {EditKind::duplicate, 1, {}, "copy"},
+        {EditKind::remove, nodes, {}, {}},
+        {EditKind::rename, 0, {}, "first"},
+        {.kind = EditKind::set_parent, .node = 2, .transform = moved, .parent = 3},
+        {.kind = EditKind::add_material, .name = "paint"},
+        {.kind = EditKind::rename_material, .name = "varnish", .material = 0},
+        {.kind = EditKind::add_material, .name = "copy", .material = 0},
+        {.kind = EditKind::remove_material, .material = static_cast<int>(document.scene->materials.size()) + 2},
+        {.kind = EditKind::assign_material, .node = 1, .material = 0},
+        {.kind = EditKind::set_keyframe, .node = 1, .transform = moved, .time = 0.5f},
+        {.kind = EditKind::set_keyframe, .node = 1, .animation = 0, .time = 1.5f},
+        {.kind = EditKind::remove_keyframe, .node = 1, .animation = 0, .time = 1.5f}}) {
     auto changed = render::with_structural_edit(document, edit);
     require(static_cast<bool>(changed), "an edit is impossible");
     document = std::move(*changed);
