@@ -90,7 +90,9 @@ Result<BenchJob> prepare_bench(const BenchArguments& a) {
   if (!document) return document.error();
   auto methods = bench::parse_methods(a.methods, *document);
   if (!methods) return methods.error();
-  BenchJob job{std::move(*document), {std::move(*methods), a.budget, a.samples, a.repeats, a.seed, chosen_method, a.threads}, {}};
+  BenchJob job{std::move(*document),
+               {std::move(*methods), a.budget, a.samples, a.repeats, a.seed, chosen_method, a.threads},
+               {}};
   if (given) {
     auto fitted = bench::resized_reference(std::move(*given), job.document.width, job.document.height);
     if (!fitted) return fitted.error();

@@ -168,8 +168,13 @@ Result<void> merge(const MergeArguments& a) {
   if (!document) return document.error();
   auto samples = merged_samples(a, *list);
   if (!samples) return samples.error();
-  const ResultFiles files{
-      .out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .denoiser = a.denoiser, .aovs = *aovs, .threads = a.threads};
+  const ResultFiles files{.out = a.out,
+                          .png = a.png,
+                          .json = a.json,
+                          .denoised = a.denoised,
+                          .denoiser = a.denoiser,
+                          .aovs = *aovs,
+                          .threads = a.threads};
   const double seconds = static_cast<double>(list->merged.microseconds) * 1e-6;
   return write_samples(*document, {std::move(*samples), list->merged.rays, seconds}, files);
 }

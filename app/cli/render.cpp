@@ -415,7 +415,13 @@ int run_on_rank_0(const RenderArguments& a, cluster::Communicator& ranks, std::v
                 start.seconds};
   }
   const RanksArguments arguments{
-      .files = {.out = a.out, .png = a.png, .json = a.json, .denoised = a.denoised, .denoiser = a.denoiser, .aovs = std::move(aovs), .threads = a.threads},
+      .files = {.out = a.out,
+                .png = a.png,
+                .json = a.json,
+                .denoised = a.denoised,
+                .denoiser = a.denoiser,
+                .aovs = std::move(aovs),
+                .threads = a.threads},
       .checkpoint_file = checkpoint_file_of(a),
       .checkpoint_interval = a.checkpoint_interval,
       .resumes = !a.resume.empty(),

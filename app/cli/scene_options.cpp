@@ -55,8 +55,9 @@ CommandOption denoiser_option(std::string& target) {
   for (const Option& option : Options<render::Denoiser>::kOptions) names.emplace_back(option.name);
   return {.names = "--denoiser",
           .target = &target,
-          .doc = "Denoiser of --denoise: regression on features; oidn, Open Image Denoise, if it is installed; auto, the "
-                 "latter if it is installed",
+          .doc =
+              "Denoiser of --denoise: regression on features; oidn, Open Image Denoise, if it is installed; auto, the "
+              "latter if it is installed",
           .choices = names};
 }
 

@@ -16,9 +16,7 @@ std::vector<float> channels_of(const std::vector<Rgb>& pixels) {
   return values;
 }
 
-const Option& option_of(Denoiser denoiser) {
-  return Options<Denoiser>::kOptions[static_cast<size_t>(denoiser)];
-}
+const Option& option_of(Denoiser denoiser) { return Options<Denoiser>::kOptions[static_cast<size_t>(denoiser)]; }
 
 }  // namespace
 

@@ -31,7 +31,7 @@ const char* label_of(Denoiser denoiser);
 Result<Denoiser> denoiser_named(const std::string& name);
 
 struct DenoisedImage {
-  std::vector<float> pixels;                  // linear radiance, three numbers per pixel
+  std::vector<float> pixels;                 // linear radiance, three numbers per pixel
   Denoiser denoiser = Denoiser::regression;  // that was used
 };
 

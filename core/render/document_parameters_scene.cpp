@@ -148,10 +148,11 @@ void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
   add_number("latitude", "Latitude", &Sky::latitude, {-kPi / 2, kPi / 2},
              "Of the place. North is positive; -z is north and +x is east", "rad");
   needs(SunPosition::time, kNeedsTime);
-  list.push_back(make_parameter("environment",
-                                Number<int>{"day", "Day of the year", sky.day, {1, 365},
-                                            "The equinoxes are days 81 and 264, the solstices 172 and 355"},
-                                store(&Sky::day)));
+  list.push_back(make_parameter(
+      "environment",
+      Number<int>{
+          "day", "Day of the year", sky.day, {1, 365}, "The equinoxes are days 81 and 264, the solstices 172 and 355"},
+      store(&Sky::day)));
   needs(SunPosition::time, kNeedsTime);
   add_number("hour", "Time of day", &Sky::hour, {0, 24},
              "Local solar time: the sun is highest at 12. At night the sky is that of sunset without the sun", "h");

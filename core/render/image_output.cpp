@@ -66,10 +66,9 @@ Result<void> write_denoised_image(const std::string& path, const Rendering& r, c
     const auto displayed = image::display_pixels(denoised.pixels, display.exposure, display.curve);
     return (*format)->write_display(path, width, height, displayed, attributes);
   }
-  return (*format)->write_layers(path, {.width = width,
-                                        .height = height,
-                                        .layers = {{"", {"R", "G", "B"}, denoised.pixels}},
-                                        .attributes = attributes});
+  return (*format)->write_layers(
+      path,
+      {.width = width, .height = height, .layers = {{"", {"R", "G", "B"}, denoised.pixels}}, .attributes = attributes});
 }
 
 }  // namespace etendue::render

@@ -128,8 +128,8 @@ class Runner {
     constexpr auto kInterval = std::chrono::milliseconds(10);
     std::atomic<bool> continues = true;
     const auto scene = session_.scene();
-    auto image = std::async(std::launch::async,
-                            [&] { return denoised.of(*scene, film, [&] { return continues.load(); }); });
+    auto image =
+        std::async(std::launch::async, [&] { return denoised.of(*scene, film, [&] { return continues.load(); }); });
     while (image.wait_for(kInterval) != std::future_status::ready) continues = continues && report(status);
     return image.get();
   }

@@ -317,9 +317,11 @@ class LiveBenchmark::Impl {
   double progress(const LiveBenchmarkSnapshot& s) const {
     double sum = 0;
     for (const auto& repeat : repeats_)
-      sum += !incompatibilities_[repeat->method].empty() ? 1 :
-          std::min(1.0, plan_.rule == Rule::equal_time ? repeat->seconds() / s.seconds
-                                                       : static_cast<double>(repeat->rendering.samples()) / s.samples);
+      sum += !incompatibilities_[repeat->method].empty()
+                 ? 1
+                 : std::min(1.0, plan_.rule == Rule::equal_time
+                                     ? repeat->seconds() / s.seconds
+                                     : static_cast<double>(repeat->rendering.samples()) / s.samples);
     return s.phase == Phase::done ? 1 : sum / (static_cast<double>(plan_.methods.size()) * plan_.repeats);
   }
 

@@ -39,10 +39,11 @@ class ConvergencePanel : public Viewer {
 
 // A denoised method has a curve of its own, and its image is the one of the viewport.
 TEST_F(ConvergencePanel, DenoisedImagesAreMethods) {
-  const auto steps = joined(
-      small(), json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 4),
-                            set("compare.repeats", 1), set("compare.denoised", true), click("compare.add"),
-                            click("compare.start"), kAtRest, click("compare.b.2"), file_step("state", path("s.json"))}));
+  const auto steps =
+      joined(small(),
+             json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 4),
+                          set("compare.repeats", 1), set("compare.denoised", true), click("compare.add"),
+                          click("compare.start"), kAtRest, click("compare.b.2"), file_step("state", path("s.json"))}));
   ASSERT_EQ(run(steps), 0);
   const json s = state("s.json");
   const json methods = s["contest"]["methods"];

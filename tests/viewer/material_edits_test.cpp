@@ -121,9 +121,13 @@ TEST_F(MaterialEditing, LibraryKeepsMaterials) {
 // The context menu of a material file adds a material, with its texture, and selects it.
 TEST_F(MaterialEditing, LibraryAddsAMaterial) {
   json steps = loads_texture("base-color", "picture.png");
-  steps = joined(steps, json::array({set("material.name", "kept"), click("material.save"), state_after("saved.json"),
+  steps = joined(steps, json::array({set("material.name", "kept"),
+                                     click("material.save"),
+                                     state_after("saved.json"),
                                      {{"do", "click"}, {"item", "material.library.0"}, {"button", "right"}},
-                                     click("material.library.0.add"), state_after("added.json"), key("ctrl+z"),
+                                     click("material.library.0.add"),
+                                     state_after("added.json"),
+                                     key("ctrl+z"),
                                      state_after("undone.json")}));
   ASSERT_EQ(run(with_material(steps), "", 1280, 720), 0);
   const json saved = state("saved.json"), added = state("added.json");

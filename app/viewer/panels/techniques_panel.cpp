@@ -18,8 +18,8 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/filter_box.h"
-#include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/image_tooltip.h"
+#include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/thumbnails.h"
 #include "viewer/widgets/value_text.h"
 
@@ -215,8 +215,7 @@ class TechniquesPanel final : public Panel {
                                    .pixels = disabled ? nullptr : image.pixels,
                                    .exposure = display.exposure + task_.parameters.exposure,
                                    .curve = display.curve};
-    const ImTextureID texture =
-        thumbnail.pixels ? thumbnails_.texture(state.platform.gl(), index, thumbnail) : nullptr;
+    const ImTextureID texture = thumbnail.pixels ? thumbnails_.texture(state.platform.gl(), index, thumbnail) : nullptr;
     if (texture) draw->AddImage(texture, corner, end);
     if (!disabled && !available) {
       const char* text = "none";

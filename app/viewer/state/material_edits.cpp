@@ -89,8 +89,7 @@ void set_texture(AppState& state, const TextureSlot& slot, const scene::Structur
 void add_material_of(AppState& state, const std::string& file, const render::MaterialFile& content) {
   const scene::Scene& scene = *state.document().scene;
   const std::string name = free_material_name(scene, fs::path(file).stem().string());
-  auto changed =
-      render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_material, .name = name});
+  auto changed = render::with_structural_edit(state.document(), {.kind = scene::EditKind::add_material, .name = name});
   if (changed) changed = render::with_material(*changed, scene.materials.size(), content, file);
   if (apply_result(state, std::move(changed), "Add " + name)) select_last_material(state);
 }
@@ -203,7 +202,8 @@ void load_texture(AppState& state, const TextureSlot& slot, const std::string& f
 
 void remove_texture(AppState& state, const TextureSlot& slot) {
   if (!has_selected_material(state)) return;
-  apply_result(state, render::with(state.document(), texture_parameter(state.selection.material, slot), Value(int64_t{-1})),
+  apply_result(state,
+               render::with(state.document(), texture_parameter(state.selection.material, slot), Value(int64_t{-1})),
                std::string("Remove texture ") + slot.label);
 }
 
@@ -216,15 +216,15 @@ void save_to_library(AppState& state) {
   const fs::path folder = material_folder(state);
   if (!has_selected_material(state) || folder.empty()) return;
   const std::string stem = file_stem_of(material_name(state, selected_material(state)));
-  state.files.edits->start([folder, stem, scene = state.document().scene,
-                            material = selected_material(state)]() -> Result<FileEdits::Edit> {
-    std::error_code code;
-    fs::create_directories(folder, code);
-    const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
-    if (const auto written = render::write_material_file(file.string(), *scene, material); !written)
-      return written.error();
-    return FileEdits::Edit([file](AppState& s) { s.notices.add_message("Saved " + file.string()); });
-  });
+  state.files.edits->start(
+      [folder, stem, scene = state.document().scene, material = selected_material(state)]() -> Result<FileEdits::Edit> {
+        std::error_code code;
+        fs::create_directories(folder, code);
+        const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
+        if (const auto written = render::write_material_file(file.string(), *scene, material); !written)
+          return written.error();
+        return FileEdits::Edit([file](AppState& s) { s.notices.add_message("Saved " + file.string()); });
+      });
 }
 
 void apply_material_file(AppState& state, const std::string& file) {

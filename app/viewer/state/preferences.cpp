@@ -73,20 +73,20 @@ std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
 }
 
 std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
-  return {thread_count(settings),
-          describe_choice("preferences.environment", "Default environment",
-                          "Lights scenes without lights of their own, from the next scene on", environment_options(),
-                          index_of_environment(settings.environment)),
-          describe(Toggle{"preferences.automatic", "Automatic integrator",
-                          settings.automatic_integrator,
-                          "Short pilot renderings choose the integrator a moment after a scene was opened; otherwise "
-                          "path tracing. Sessions and snapshots keep their own"}),
-          describe(Toggle{"preferences.snapshot-samples", "Samples in snapshots", settings.snapshots_have_samples,
-                          "Keeps the samples of a snapshot in a second file, from which the rendering continues. It has "
-                          "56 bytes per pixel or more"}),
-          describe(Choice<render::Denoiser>{"preferences.denoiser", "Denoiser", settings.denoiser,
-                                            "Of View > Denoised. Automatic: Open Image Denoise if its library is "
-                                            "installed, else regression on features"})};
+  return {
+      thread_count(settings),
+      describe_choice("preferences.environment", "Default environment",
+                      "Lights scenes without lights of their own, from the next scene on", environment_options(),
+                      index_of_environment(settings.environment)),
+      describe(Toggle{"preferences.automatic", "Automatic integrator", settings.automatic_integrator,
+                      "Short pilot renderings choose the integrator a moment after a scene was opened; otherwise "
+                      "path tracing. Sessions and snapshots keep their own"}),
+      describe(Toggle{"preferences.snapshot-samples", "Samples in snapshots", settings.snapshots_have_samples,
+                      "Keeps the samples of a snapshot in a second file, from which the rendering continues. It has "
+                      "56 bytes per pixel or more"}),
+      describe(Choice<render::Denoiser>{"preferences.denoiser", "Denoiser", settings.denoiser,
+                                        "Of View > Denoised. Automatic: Open Image Denoise if its library is "
+                                        "installed, else regression on features"})};
 }
 
 void assign_preference(Settings& settings, const std::string& name, const Value& value) {

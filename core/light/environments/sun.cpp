@@ -47,11 +47,11 @@ SunAngles sun_angles(const Sky& sky) {
   if (sky.sun_position == SunPosition::angles)
     return {.elevation = sky.sun_elevation, .azimuth = sky.sun_azimuth, .is_up = true};
   const double latitude = sky.latitude, declination = declination_of(sky.day), angle = (sky.hour - 12) * M_PI / 12;
-  const double sine = std::sin(latitude) * std::sin(declination) +
-                      std::cos(latitude) * std::cos(declination) * std::cos(angle);
+  const double sine =
+      std::sin(latitude) * std::sin(declination) + std::cos(latitude) * std::cos(declination) * std::cos(angle);
   const double east = -std::cos(declination) * std::sin(angle);
-  const double north = std::sin(declination) * std::cos(latitude) -
-                       std::cos(declination) * std::sin(latitude) * std::cos(angle);
+  const double north =
+      std::sin(declination) * std::cos(latitude) - std::cos(declination) * std::sin(latitude) * std::cos(angle);
   return {.elevation = static_cast<float>(std::asin(std::clamp(sine, 0.0, 1.0))),
           .azimuth = static_cast<float>(std::atan2(east, -north)),
           .is_up = sine >= 0};

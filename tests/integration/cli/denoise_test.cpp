@@ -63,7 +63,8 @@ TEST_F(Cli, OpenImageDenoiseThatIsMissingIsAnError) {
 TEST_F(Cli, OpenImageDenoiseReceivesImageAndFeatures) {
   const Environment library("LD_LIBRARY_PATH", ETENDUE_OIDN_FOLDER);
   for (const char* denoiser : {"oidn", "auto"}) {
-    const std::string command = "render cornell --size 16x16 --spp 64 -o a.exr --aov albedo,shading-normal --denoise d.exr";
+    const std::string command =
+        "render cornell --size 16x16 --spp 64 -o a.exr --aov albedo,shading-normal --denoise d.exr";
     ASSERT_EQ(run(command + " --denoiser " + denoiser).code, 0);
     const auto image = pixels_of(folder_ / "a.exr"), albedo = pixels_of(folder_ / "a.exr", "albedo"),
                normal = pixels_of(folder_ / "a.exr", "shading-normal"), denoised = pixels_of(folder_ / "d.exr");

@@ -44,7 +44,8 @@ std::vector<Bytes> materials() {
     auto changed = render::with_text(document, name, value);
     require(static_cast<bool>(changed), "a parameter cannot be set");
     document = std::move(*changed);
-    require(static_cast<bool>(render::write_material_file(material_file(), *document.scene, 0)), "a seed is not written");
+    require(static_cast<bool>(render::write_material_file(material_file(), *document.scene, 0)),
+            "a seed is not written");
     const auto bytes = read_file(material_file());
     require(static_cast<bool>(bytes), "a seed cannot be read");
     seeds.push_back(*bytes);

@@ -98,7 +98,8 @@ TEST(Methods, MayApproximateSubsurfaceScattering) {
 }
 
 TEST(Methods, MayBeDenoised) {
-  const auto methods = bench::parse_methods("path,path:denoise=true,path:denoise=false,path:denoise=regression", cornell(8));
+  const auto methods =
+      bench::parse_methods("path,path:denoise=true,path:denoise=false,path:denoise=regression", cornell(8));
   ASSERT_TRUE(methods) << methods.error().message;
   EXPECT_FALSE(methods->at(0).denoiser);
   EXPECT_EQ(methods->at(1).denoiser, render::Denoiser::automatic);
@@ -117,7 +118,8 @@ TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
   Plan plan{*bench::parse_methods("path,path:denoise=regression", d), 0, 8, 1, 3};
   plan.methods[1].document = plan.methods[0].document;
   const auto outcome = bench::run(session, plan, reference, never_cancel);
-  const auto &raw = outcome.methods[0].curves.repeats[0].points, &denoised = outcome.methods[1].curves.repeats[0].points;
+  const auto &raw = outcome.methods[0].curves.repeats[0].points,
+             &denoised = outcome.methods[1].curves.repeats[0].points;
   ASSERT_EQ(raw.size(), denoised.size() + 1);
   EXPECT_EQ(denoised.front().spp, 2u) << "the noise is the difference of the half-buffers";
   EXPECT_LT(denoised.back().relmse, raw.back().relmse / 2);
@@ -125,8 +127,7 @@ TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
   auto seeded = d;
   seeded.seed = bench::repeat_seed(plan.seed, 1, 0);
   const auto features = render::denoise_features(*session.scene(), seeded, 4, 2);
-  const auto image =
-      render::denoised_image(render::rendered(seeded, 8, 2), features, render::Denoiser::regression, 2);
+  const auto image = render::denoised_image(render::rendered(seeded, 8, 2), features, render::Denoiser::regression, 2);
   EXPECT_EQ(outcome.methods[1].image, image->pixels);
 }
 

@@ -39,8 +39,7 @@ double relmse(const std::function<Rgb(int, int)>& image, const film::Film& refer
 TEST(DenoisedImage, ErrorOfCornellFallsByThree) {
   auto d = test::cornell(96);
   const auto film = test::rendered(d, 16);
-  const auto image =
-      denoised(film, render::denoise_features(*compiled_scene(d), d, kFeatureSamples, 2), 2);
+  const auto image = denoised(film, render::denoise_features(*compiled_scene(d), d, kFeatureSamples, 2), 2);
   d.seed = d.seed + 1;
   const auto reference = test::rendered(d, 512);
   const double raw = relmse([&](int x, int y) { return film.mean(x, y); }, reference);

@@ -47,9 +47,7 @@ EXPORTED int oidnGetDeviceError(Device*, const char** message) {
   error_code = 0;
   return code;
 }
-EXPORTED Filter* oidnNewFilter(Device*, const char* type) {
-  return std::string(type) == "RT" ? new Filter : nullptr;
-}
+EXPORTED Filter* oidnNewFilter(Device*, const char* type) { return std::string(type) == "RT" ? new Filter : nullptr; }
 EXPORTED void oidnReleaseFilter(Filter* filter) { delete filter; }
 EXPORTED void oidnSetSharedFilterImage(Filter* filter, const char* name, void* data, int format, size_t width,
                                        size_t height, size_t, size_t, size_t) {
@@ -72,8 +70,7 @@ EXPORTED void oidnExecuteFilter(Filter* filter) {
               output = filter->images["output"];
   if (!color.data || !output.data) return report(3, "an image is missing");
   for (size_t i = 0; i < 3 * output.width * output.height; ++i)
-    output.data[i] =
-        albedo.data && normal.data ? (color.data[i] + albedo.data[i]) / 2 + normal.data[i] : color.data[i];
+    output.data[i] = albedo.data && normal.data ? (color.data[i] + albedo.data[i]) / 2 + normal.data[i] : color.data[i];
 }
 
 }  // extern "C"
