@@ -5,7 +5,7 @@ command -v python3 >/dev/null || exit 77
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 set -e
-python3 "$2/tools/growth.py" triangles instances lights -o "$folder" --etendue "$1" --largest 20000 --steps 2 --repeats 1 \
+python3 "$2/tools/growth.py" triangles instances lights -o "$folder" --etendue "$1" --largest 60000 --steps 2 --repeats 1 \
   --seconds 0.02 --side 16
 python3 "$2/tools/growth.py" threads pixels samples -o "$folder/small" --etendue "$1" --largest 2 --repeats 1 \
   --seconds 0.02 --side 16 --steps 2 2>/dev/null && exit 1  # the largest size is below the smallest
@@ -23,5 +23,5 @@ import growth
 assert abs(growth.exponent([1, 10, 100], [3, 3 * 10 ** 0.5, 30]) - 0.5) < 1e-12
 assert growth.exponent([1, 10], [0, 1]) is None
 rows = json.loads((pathlib.Path(sys.argv[2]) / "growth.json").read_text())["triangles"]["rows"]
-assert rows[1]["size"] == 20000 and rows[1]["memory"] > rows[0]["memory"] + 1, rows
+assert rows[1]["size"] == 60000 and rows[1]["memory"] > rows[0]["memory"] + 1, rows
 END

@@ -45,7 +45,7 @@ struct Form {
 
 const Form kLight{"light", {}, 4}, kPure{"light-pure", {}, 16}, kBdpt{"bdpt", {}, 0.5},
     kBalance{"bdpt", {{"heuristic", "balance"}}, 0.5}, kMaximum{"bdpt", {{"heuristic", "maximum"}}, 0.5},
-    kEndsOnly{"bdpt", {{"reuse", "false"}}, 4}, kChainsOfPaths{"pssmlt", {{"chains", "32"}, {"form", "path"}}, 2},
+    kEndsOnly{"bdpt", {{"reuse", "false"}}, 8}, kChainsOfPaths{"pssmlt", {{"chains", "32"}, {"form", "path"}}, 2},
     kChains{"pssmlt", {{"chains", "32"}}, 2}, kMultiplexed{"pssmlt", {{"chains", "32"}, {"form", "multiplexed"}}, 4};
 
 // Compares forms with path tracing.
