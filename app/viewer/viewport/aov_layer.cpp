@@ -126,12 +126,13 @@ AovImage denoised_image(render::Session& session, const scene::CompiledScene& sc
   auto denoised = render::denoised_image(film, *features, denoiser, 0, continues);
   if (!denoised) denoised = render::denoised_image(film, *features, render::Denoiser::regression, 0, continues);
   const auto& values = denoised->pixels;
+  const bool is_own_filter = denoised->denoiser == render::Denoiser::regression;
   AovImage image{.name = kDenoisedLayer,
                  .version = version,
                  .samples = samples,
                  .is_radiance = true,
                  .scale = formatted("%u samples per pixel; %s; biased, for display only", samples,
-                                    lower_case(render::label_of(denoised->denoiser)).c_str()),
+                                    is_own_filter ? "regression" : render::label_of(denoised->denoiser)),
                  .width = film.width(),
                  .height = film.height(),
                  .pixels = {},
