@@ -17,7 +17,7 @@ struct ResultFiles {
   std::string out;                // image file
   std::string png, json;          // additional files, or empty; '-' as `json` is standard output
   std::string denoised;           // additional file with the denoised image, or empty
-  std::string denoiser;           // its name
+  std::string denoiser = "auto";  // its name
   std::vector<std::string> aovs;  // additional layers of the image
   int threads = 0;
   // The layers of light paths that were recorded with the image; null: none.

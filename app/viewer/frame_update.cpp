@@ -179,6 +179,15 @@ void take_saved_files(AppState& state) {
   }
 }
 
+void take_saved_material(AppState& state) {
+  const auto saved = state.files.material_save.take_result();
+  if (!saved) return;
+  if (*saved)
+    state.notices.add_message("Saved " + **saved);
+  else
+    state.notices.add_error(saved->error().message);
+}
+
 void make_file_edits(AppState& state) {
   while (const auto edit = state.files.edits->take_result()) {
     if (*edit)
@@ -255,6 +264,7 @@ void update_state(AppState& state, ImageView& live_image) {
   update_stored_picture(state);
   take_saved_files(state);
   take_saved_session(state);
+  take_saved_material(state);
   take_loaded_image(state);
   if (!state.has_document()) return;
   make_file_edits(state);
@@ -285,7 +295,7 @@ bool has_waiting_task(const AppState& state) {
 bool is_file_active(const AppState& state) {
   const FileState& files = state.files;
   const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy() ||
-                        files.session_export->is_busy() || files.edits->is_busy();
+                        files.session_export->is_busy() || files.edits->is_busy() || files.material_save.running();
   return any_file || std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->is_saving(); });
 }
 

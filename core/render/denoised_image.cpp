@@ -28,8 +28,8 @@ Result<Denoiser> denoiser_named(const std::string& name) {
   for (const Denoiser denoiser : {Denoiser::automatic, Denoiser::regression, Denoiser::open_image_denoise}) {
     names += (names.empty() ? "" : ", ") + std::string(name_of(denoiser));
     if (name != name_of(denoiser)) continue;
-    if (denoiser == Denoiser::open_image_denoise && !film::has_open_image_denoise())
-      return usage_error("Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 or .so.1");
+    if (denoiser == Denoiser::open_image_denoise)
+      if (const auto found = film::find_open_image_denoise(); !found) return found.error();
     return denoiser;
   }
   return usage_error("there is no denoiser '" + name + "'; give one of " + names);
@@ -54,8 +54,7 @@ Result<DenoisedImage> denoised_image(const film::Film& film, DenoiseFeatures fea
                                  .height = film.height(),
                                  .half_buffers = film::half_buffer_means(film),
                                  .features = std::move(features)};
-  const bool is_installed = film::has_open_image_denoise();
-  if (denoiser == Denoiser::open_image_denoise || (denoiser == Denoiser::automatic && is_installed)) {
+  if (denoiser != Denoiser::regression) {
     const auto pixels = film::denoise_with_open_image_denoise(input, threads, continues);
     if (pixels) return DenoisedImage{.pixels = channels_of(*pixels), .denoiser = Denoiser::open_image_denoise};
     if (denoiser == Denoiser::open_image_denoise) return pixels.error();

@@ -17,6 +17,9 @@ namespace etendue::render {
 
 enum class Denoiser : uint8_t { automatic, regression, open_image_denoise };
 
+// Samples of the features, per pixel and half-buffer, where an image is shown or measured.
+inline constexpr uint32_t kDenoiseFeatureSamples = 4;
+
 using DenoiseFeatures = std::array<film::FeaturePlanes, film::kHalfBuffers>;
 
 // Albedo, shading normal and depth of the first hits of `samples` camera rays per pixel and half-buffer. They do not

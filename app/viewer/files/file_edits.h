@@ -1,11 +1,10 @@
-// Edits that need the content of files, or write files first: images of textures, and material files.
+// Edits that need the content of files: images of textures, and material files.
 //
-// Another thread reads or writes; the edit is then made to the document of that moment. Edits keep their order.
+// Another thread reads the files; the edit is then made to the document of that moment. Edits keep their order.
 #pragma once
 #include <deque>
 #include <functional>
 #include <optional>
-#include <string>
 
 #include "base/result.h"
 #include "viewer/tasks/background_task.h"

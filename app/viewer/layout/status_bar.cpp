@@ -130,7 +130,8 @@ class StatusLine {
 // Whether a file is being written.
 bool is_saving(const AppState& state) {
   const FileState& files = state.files;
-  return files.image_export->is_busy() || files.scene_export->is_busy() || files.session_export->is_busy();
+  return files.image_export->is_busy() || files.scene_export->is_busy() || files.session_export->is_busy() ||
+         files.material_save.running();
 }
 
 std::string phase_text(const AppState& state, const render::Status& status) {

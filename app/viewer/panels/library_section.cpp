@@ -49,10 +49,7 @@ void LibrarySection::draw_file(AppState& state, const std::string& file, size_t 
   if (ImGui::IsItemHovered()) {
     const std::string text = name + "\nA click gives the selected material these parameters. Right click: more";
     draw.AddRect(corner, end, ImGui::GetColorU32(state.ui.theme.accent), 0, 0, 2);
-    if (image)
-      image_tooltip(state.ui, texture, *image, text);
-    else
-      tooltip(state.ui, text);
+    image_tooltip(state.ui, texture, image ? *image : ThumbnailImage(), text);
   }
   if (ImGui::BeginPopupContextItem("##menu")) {
     if (ImGui::MenuItem("Add as new material")) add_material_from_file(state, file);

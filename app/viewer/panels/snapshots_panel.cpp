@@ -23,6 +23,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/dialog.h"
+#include "viewer/widgets/image_tooltip.h"
 #include "viewer/widgets/thumbnails.h"
 #include "viewer/widgets/value_text.h"
 
@@ -213,7 +214,7 @@ class SnapshotsPanel final : public Panel {
     state.ui.items.add("snapshots." + std::to_string(index));
     const bool hovered = ImGui::IsItemHovered();
     draw_picture(state, info, index, corner, size, hovered);
-    if (hovered && state.ui.pointer_rest >= kTooltipDelay) draw_enlarged(state, info, index);
+    if (hovered) draw_enlarged(state, info, index);
     ImGui::TextUnformatted(shortened(caption(info), width).c_str());
     ImGui::EndGroup();
     ImGui::PopID();
@@ -247,15 +248,13 @@ class SnapshotsPanel final : public Panel {
                  is_selected ? "A" : "B");
   }
 
-  // The picture in its own size with what the file says.
+  // The picture with what the file says.
   void draw_enlarged(AppState& state, const SnapshotInfo& info, size_t index) {
-    ImGui::BeginTooltip();
-    if (const ThumbnailImage* image = state.tasks.thumbnails->find(info.file))
-      ImGui::Image(thumbnails_.texture(state.platform.gl(), index, *image),
-                   {state.ui.scale * static_cast<float>(image->width), state.ui.scale * static_cast<float>(image->height)});
-    ImGui::TextUnformatted((base_name(info.file) + "\n" + description(info)).c_str());
-    if (!info.notes.empty()) ImGui::TextUnformatted(info.notes.c_str());
-    ImGui::EndTooltip();
+    const ThumbnailImage* image = state.tasks.thumbnails->find(info.file);
+    const ImTextureID texture = image ? thumbnails_.texture(state.platform.gl(), index, *image) : nullptr;
+    const std::string notes = info.notes.empty() ? "" : "\n" + info.notes;
+    image_tooltip(state.ui, texture, image ? *image : ThumbnailImage(),
+                  base_name(info.file) + "\n" + description(info) + notes);
   }
 
   // The first line of the notes, or the method.

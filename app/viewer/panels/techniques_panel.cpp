@@ -231,11 +231,7 @@ class TechniquesPanel final : public Panel {
     if (hovered) draw->AddRect(corner, end, ImGui::GetColorU32(ui.theme.accent), 0, 0, 2);
     const ImVec4& caption_color = disabled || !available ? ui.theme.secondary_text : ui.theme.text;
     draw->AddText({corner.x, end.y}, ImGui::GetColorU32(caption_color), caption(techniques, image, disabled).c_str());
-    const std::string description = hovered ? technique_description(techniques, image, disabled) : "";
-    if (hovered && texture)
-      image_tooltip(ui, texture, thumbnail, description);
-    else if (hovered)
-      tooltip(ui, description);
+    if (hovered) image_tooltip(ui, texture, thumbnail, technique_description(techniques, image, disabled));
     if (clicked && (disabled || available)) toggle(state, image);
   }
 

@@ -80,8 +80,8 @@ void Script::advance(AppState& state) {
   Impl& s = *impl_;
   if (s.next == 0 && !s.step && !s.scene_is_shown(state)) return;
   if (ended()) return;
-  // The next step may refer to a texture that the last one has loaded.
-  if (!s.step && state.files.edits->is_busy()) return;
+  // The next step may refer to a texture that the last one has loaded, or to a material that it has saved.
+  if (!s.step && (state.files.edits->is_busy() || state.files.material_save.running())) return;
   if (!s.step) {
     s.step = std::move(*make_step(s.steps[s.next]));
     ++s.next;

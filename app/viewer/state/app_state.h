@@ -20,6 +20,7 @@
 #include "viewer/state/node_places.h"
 #include "viewer/state/notices.h"
 #include "viewer/state/settings.h"
+#include "viewer/tasks/background_task.h"
 #include "viewer/tasks/task.h"
 #include "viewer/tools/camera_controller.h"
 #include "viewer/tools/gizmo.h"
@@ -137,6 +138,7 @@ struct FileState {
   std::unique_ptr<SceneExport> scene_export;
   std::unique_ptr<SessionExport> session_export;
   std::unique_ptr<FileEdits> edits;
+  BackgroundTask<Result<std::string>> material_save;  // of a material to the library; returns the file
   std::optional<FileRequest> request;
 
   std::string session_file;  // that Save writes; empty before it has a name

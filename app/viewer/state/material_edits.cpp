@@ -214,17 +214,17 @@ fs::path material_folder(const AppState& state) {
 
 void save_to_library(AppState& state) {
   const fs::path folder = material_folder(state);
-  if (!has_selected_material(state) || folder.empty()) return;
+  if (!has_selected_material(state) || folder.empty() || state.files.material_save.running()) return;
   const std::string stem = file_stem_of(material_name(state, selected_material(state)));
-  state.files.edits->start(
-      [folder, stem, scene = state.document().scene, material = selected_material(state)]() -> Result<FileEdits::Edit> {
-        std::error_code code;
-        fs::create_directories(folder, code);
-        const fs::path file = unused_file(folder, stem, render::kMaterialExtension);
-        if (const auto written = render::write_material_file(file.string(), *scene, material); !written)
-          return written.error();
-        return FileEdits::Edit([file](AppState& s) { s.notices.add_message("Saved " + file.string()); });
-      });
+  const auto save = [folder, stem, scene = state.document().scene,
+                     material = selected_material(state)]() -> Result<std::string> {
+    std::error_code code;
+    fs::create_directories(folder, code);
+    const std::string file = unused_file(folder, stem, render::kMaterialExtension).string();
+    const auto written = render::write_material_file(file, *scene, material);
+    return written ? Result<std::string>(file) : written.error();
+  };
+  state.files.material_save.start(save, state.task_context.wake);
 }
 
 void apply_material_file(AppState& state, const std::string& file) {

@@ -47,10 +47,9 @@ void remove_texture(AppState& state, const TextureSlot& slot);
 
 // Where material files are: the folder of the settings, or $XDG_DATA_HOME/etendue/materials. Empty if there is none.
 std::filesystem::path material_folder(const AppState& state);
-// The following read and write in the background.
-// Saves the material in the folder, under a name that no file has.
+// Saves the material in the folder, under a name that no file has, in the background. Only one can be saved at a time.
 void save_to_library(AppState& state);
-// Replaces the parameters of the material by those of a file.
+// Replaces the parameters of the material by those of a file, which is read in the background (FileEdits), as the next.
 void apply_material_file(AppState& state, const std::string& file);
 // Adds a material of the scene from a file, and selects it.
 void add_material_from_file(AppState& state, const std::string& file);

@@ -19,7 +19,6 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kSamplesPerPixel = 2;
-constexpr uint32_t kFeatureSamples = 4;  // of the denoised image, per pixel and half-buffer
 constexpr uint32_t kFirstSamples = 1, kLastSamples = 256, kSampleGrowth = 4;
 
 bool is_medium_term(const std::string& name) {
@@ -119,7 +118,8 @@ AovImage denoised_image(render::Session& session, const scene::CompiledScene& sc
                         uint64_t version, std::shared_ptr<const render::DenoiseFeatures> features,
                         render::Denoiser denoiser, const std::atomic<bool>& cancelled) {
   if (!features)
-    features = std::make_shared<render::DenoiseFeatures>(render::denoise_features(scene, document, kFeatureSamples, 0));
+    features = std::make_shared<render::DenoiseFeatures>(
+        render::denoise_features(scene, document, render::kDenoiseFeatureSamples, 0));
   const film::Film film = session.film_copy();
   const uint32_t samples = session.status().samples;
   const auto continues = [&] { return !cancelled.load(); };

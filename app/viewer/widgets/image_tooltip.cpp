@@ -14,6 +14,7 @@ constexpr float kLongerSide = 256;  // units of the interface
 }  // namespace
 
 void image_tooltip(const UiContext& ui, ImTextureID texture, const ThumbnailImage& image, const std::string& text) {
+  if (!texture) return tooltip(ui, text);
   if (ui.pointer_rest < kTooltipDelay) return;
   const auto width = static_cast<float>(image.width), height = static_cast<float>(image.height);
   const float scale = ui.scale * kLongerSide / std::max(width, height);

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -41,7 +42,7 @@ bool load(F*& function, void* library, std::initializer_list<const char*> names)
 
 std::unique_ptr<const Library> load_library() {
   void* library = nullptr;
-  for (const char* file : {"libOpenImageDenoise.so.2", "libOpenImageDenoise.so.1", "libOpenImageDenoise.so.0"})
+  for (const char* file : {"libOpenImageDenoise.so.2", "libOpenImageDenoise.so.1"})
     if (!library) library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   if (!library) return nullptr;
   auto f = std::make_unique<Library>();
@@ -71,7 +72,7 @@ std::vector<float> colors_of(const DenoiseInput& input) {
   for (size_t i = 0; i < input.half_buffers[0].size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const float mean = (input.half_buffers[0][i][c] + input.half_buffers[1][i][c]) / 2;
-      values.push_back(is_finite(Rgb(mean)) ? mean : 0);
+      values.push_back(std::isfinite(mean) ? mean : 0);
     }
   return values;
 }
@@ -126,12 +127,14 @@ class Run {
 
 }  // namespace
 
-bool has_open_image_denoise() { return library() != nullptr; }
+Result<void> find_open_image_denoise() {
+  if (library()) return {};
+  return usage_error("Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 or .so.1");
+}
 
 Result<std::vector<Rgb>> denoise_with_open_image_denoise(const DenoiseInput& input, int threads,
                                                          const std::function<bool()>& continues) {
-  if (!library())
-    return input_error("Open Image Denoise is not installed: there is no libOpenImageDenoise.so.2 or .so.1");
+  if (const auto found = find_open_image_denoise(); !found) return found.error();
   std::vector<float> color = colors_of(input), albedo = features_of(input, 0), normal = features_of(input, 3);
   std::vector<float> output(color.size());
   std::string message;

@@ -11,7 +11,8 @@
 
 namespace etendue::film {
 
-bool has_open_image_denoise();
+// An error if the library is not installed.
+Result<void> find_open_image_denoise();
 
 // The denoised image, from the averages of the half-buffers and of their features, on the processor. Values that are not
 // finite count as 0. Without features, the image alone is used. With 0 threads: one per hardware thread. Empty if

@@ -110,13 +110,12 @@ TEST(Methods, MayBeDenoised) {
   EXPECT_NE(wrong.error().message.find("give one of auto, regression, oidn, true or false"), std::string::npos);
 }
 
-// The curve of the denoised image has its errors, and the times of rendering and of the denoiser.
+// The curve of a denoised method has the errors of the denoised image, which is that of render/denoised_image.h.
 TEST(Bench, DenoisedImagesHaveTheirOwnCurve) {
   const auto d = cornell(24);
   render::Session session({2});
   const Reference reference = bench::render_reference(session, d, {0, 512}, {}, never_cancel);
   Plan plan{*bench::parse_methods("path,path:denoise=regression", d), 0, 8, 1, 3};
-  plan.methods[1].document = plan.methods[0].document;
   const auto outcome = bench::run(session, plan, reference, never_cancel);
   const auto &raw = outcome.methods[0].curves.repeats[0].points,
              &denoised = outcome.methods[1].curves.repeats[0].points;
