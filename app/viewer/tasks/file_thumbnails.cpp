@@ -84,9 +84,13 @@ Result<ThumbnailImage> reduced_image(const std::string& file) {
   if (!image) return image.error();
   const Size from{image->width, image->height}, to = fitted(from.width, from.height);
   const auto text = image->attributes.find(render::kStateAttribute);
-  const bool is_snapshot = text != image->attributes.end();
-  const render::Display display = is_snapshot ? render::display_from_state(text->second) : render::Display{};
-  return make_image(to, reduced(image->layers.front().pixels, from, to), display);
+  ThumbnailImage small = make_image(to, reduced(image->layers.front().pixels, from, to), {});
+  if (text == image->attributes.end()) return small;
+  // A snapshot is shown as it was, whatever suits its pixels.
+  const render::Display display = render::display_from_state(text->second);
+  small.exposure = display.exposure;
+  small.curve = display.curve;
+  return small;
 }
 
 // The material on a sphere in studio light.
