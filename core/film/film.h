@@ -10,7 +10,8 @@
 // Sums are exact (film/rounding_errors.h): means do not depend on the order in which samples were added, nor on how
 // the rendering was divided into parts.
 //
-// Invalid samples (not a finite, non-negative radiance) are counted and contribute the value zero.
+// Invalid samples (not a finite radiance, or negative where that is not allowed) are counted and contribute the value
+// zero.
 #pragma once
 #include <array>
 #include <bit>
@@ -38,6 +39,9 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
+  // Whether negative samples are valid: those of estimators with control variates. By default they are not.
+  void allow_negative_samples(bool allow) { allows_negative_samples_ = allow; }
+
   struct Pixel {
     std::array<std::array<double, 3>, kHalfBuffers> sum{};  // rounded after each sample
     std::array<uint32_t, kHalfBuffers> count{};
@@ -50,7 +54,7 @@ class Film {
   }
   // The same, where `pixel` is the pixel at (x, y).
   bool add(Pixel& pixel, int x, int y, uint32_t half_buffer, const Rgb& radiance) {
-    if (!is_radiance(radiance)) [[unlikely]] {
+    if (!is_radiance(radiance) && !(allows_negative_samples_ && is_finite(radiance))) [[unlikely]] {
       invalid_.count(x, y, sample_index(half_buffer, pixel.count[half_buffer]), radiance);
       // Counts as a sample of value zero. Leaving it out would bias the mean towards the valid samples.
       ++pixel.count[half_buffer];
@@ -141,6 +145,7 @@ class Film {
   std::vector<Pixel> pixels_;
   RoundingErrors errors_;
   uint32_t first_sample_ = 0;
+  bool allows_negative_samples_ = false;
   std::optional<TileVariance> tile_variance_;
   InvalidSampleCounter invalid_;
 };

@@ -79,8 +79,9 @@ struct IntegratorInfo {
   bool emitting_media = false;       // the same for media that emit light
   bool starts_in_media = false;      // light paths start in media that emit light, which need an end
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
-  bool ignores_portals = false;  // no light sample is guided by the environment portals of a scene
-  bool spectral = false;         // renders with wavelengths instead of RGB; materials that disperse light need it
+  bool ignores_portals = false;   // no light sample is guided by the environment portals of a scene
+  bool negative_samples = false;  // the estimate of a sample may be negative; its expectation is not
+  bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
   // The source file that contains the description, for the manual.
   const char* file = std::source_location::current().file_name();

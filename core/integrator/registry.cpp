@@ -15,6 +15,7 @@
   ENTRY(pure_path_tracing)         \
   ENTRY(path_tracing)              \
   ENTRY(guided_path_tracing)       \
+  ENTRY(path_tracing_with_control)  \
   ENTRY(pure_light_tracing)        \
   ENTRY(light_tracing)             \
   ENTRY(bdpt)                      \

@@ -26,11 +26,26 @@ bool PixelSamples::draw(uint32_t first, uint32_t replication, std::span<Rgb> sam
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t sample = first + static_cast<uint32_t>(i);
     prepared_.prepare_sampler(sample / film::kHalfBuffers);
-    const integrator::PixelBlock block{.x = pixel_.x, .y = pixel_.y, .width = 1, .height = 1, .sample = sample};
-    if (!state->sample(block, samples.subspan(i, 1), {&keep_going})) return false;
+    if (!state->sample(block_of(sample), samples.subspan(i, 1), {&keep_going})) return false;
     if (!film::is_radiance(samples[i])) samples[i] = Rgb(0);
   }
   return true;
+}
+
+std::optional<DimensionCounts> PixelSamples::drawn_dimensions(uint32_t samples,
+                                                              const std::function<bool()>& keep_going) {
+  DimensionCounts counts;
+  auto context = prepared_.context();
+  const CountingSampler sampler(*context.sampler, counts);
+  context.sampler = &sampler;
+  const auto state = prepared_.begin(context);
+  Rgb radiance;
+  for (uint32_t sample = 0; sample < samples; ++sample) {
+    prepared_.prepare_sampler(sample / film::kHalfBuffers);
+    counts.begin_sample();
+    if (!state->sample(block_of(sample), {&radiance, 1}, {&keep_going})) return {};
+  }
+  return counts;
 }
 
 std::vector<Dimension> path_dimensions(uint32_t vertices) {

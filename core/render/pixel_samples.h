@@ -6,11 +6,13 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "render/prepared_document.h"
+#include "sampling/counting_sampler.h"
 
 namespace etendue::render {
 
@@ -30,7 +32,15 @@ class PixelSamples {
       uint32_t first, uint32_t replication, std::span<Rgb> samples,
       const std::function<bool()>& keep_going = [] { return true; });
 
+  // Which dimensions the samples 0, ..., samples - 1 of the rendering draw. Nothing if it was cancelled.
+  std::optional<DimensionCounts> drawn_dimensions(
+      uint32_t samples, const std::function<bool()>& keep_going = [] { return true; });
+
  private:
+  integrator::PixelBlock block_of(uint32_t sample) const {
+    return {.x = pixel_.x, .y = pixel_.y, .width = 1, .height = 1, .sample = sample};
+  }
+
   PreparedDocument prepared_;
   Vec2i pixel_;
 };

@@ -101,6 +101,7 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
       integrator_(make_integrator_of(document, layers)),
       refusal_(refusal_of(document.method.integrator, model_, *scene_)),
       accumulation_(integrator::find_integrator(document.method.integrator)->accumulation),
+      has_negative_samples_(integrator::find_integrator(document.method.integrator)->negative_samples),
       camera_(document.camera, width, height, scene_->camera_motion()),
       filter_(document.filter),
       seed_(document.seed),

@@ -35,6 +35,7 @@ class PreparedDocument {
   const transport::Model& model() const { return model_; }
   const integrator::Integrator& integrator() const { return *integrator_; }
   integrator::Accumulation accumulation() const { return accumulation_; }
+  bool has_negative_samples() const { return has_negative_samples_; }
 
   // Begins a rendering in this context. If the integrator does not support the scene, the image is black.
   std::unique_ptr<integrator::RenderState> begin(const integrator::RenderContext& context,
@@ -59,6 +60,7 @@ class PreparedDocument {
   std::unique_ptr<integrator::Integrator> integrator_;
   std::string refusal_;
   integrator::Accumulation accumulation_;
+  bool has_negative_samples_;
   CameraRays camera_;
   film::Filter filter_;
   uint64_t seed_;

@@ -55,6 +55,7 @@ void Renderer::lay_out_tiles() {
 void Renderer::begin(film::Film& film, std::span<const std::byte> integrator_state) {
   lay_out_tiles();
   film.set_first_sample(first_sample_);
+  film.allow_negative_samples(prepared_.has_negative_samples());
   if (adaptive_ != Adaptive::off) {
     std::vector<int> pixels(tiles_);
     for (size_t i = 0; i < tiles_; ++i) pixels[i] = block_at(i).width * block_at(i).height;

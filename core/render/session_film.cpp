@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "film/film_sum.h"
+#include "integrator/integrator_info.h"
 
 namespace etendue::render {
 namespace {
@@ -12,7 +13,11 @@ namespace {
 // Rows of shared samples that are added between two looks for edits.
 constexpr int kRowsOfStep = 32;
 
-bool reweights_fireflies(const Document& document) { return document.fireflies == film::Fireflies::reweight; }
+// The cascades of brightness have no place for negative samples.
+bool reweights_fireflies(const Document& document) {
+  const auto* info = integrator::find_integrator(document.method.integrator);
+  return document.fireflies == film::Fireflies::reweight && !(info && info->negative_samples);
+}
 
 size_t pixel_count(const Document& document) {
   return static_cast<size_t>(document.width) * static_cast<size_t>(document.height);

@@ -4,17 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/pixel_samples.h"
 #include "sampling/sampler.h"
 #include "viewer/actions/action.h"
+#include "viewer/panels/drawn_dimensions_view.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/sample_points_view.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/tasks/pixel_samples_task.h"
+#include "viewer/tasks/point_playback.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/filter_box.h"
@@ -26,7 +29,8 @@ namespace etendue::viewer {
 namespace {
 
 constexpr const char* kPickSampledPixel = "sampling.pick";
-constexpr uint32_t kVertices = 4;  // path vertices whose random numbers can be shown
+constexpr const char* kPlayPoints = "sampling.play";
+constexpr uint32_t kVertices = 8;  // path vertices whose random numbers can be shown
 
 const std::vector<render::Dimension>& sampler_dimensions() {
   static const auto list = render::path_dimensions(kVertices);
@@ -52,13 +56,14 @@ struct Settings {
                       Scale::logarithmic};
   std::string x = "pixel-x";  // names of sampler dimensions
   std::string y = "pixel-y";
-  Number<int> points{"sampling.points",
-                     "Points",
-                     512,
-                     {1, 4096},
-                     "Number of points: those of the first samples, in their order. The colours are the two half-buffers",
-                     "",
-                     Scale::logarithmic};
+  Number<int> points{
+      "sampling.points",
+      "Points",
+      512,
+      {1, 4096},
+      "Number of points: those of the first samples, in their order. The colours are the two half-buffers",
+      "",
+      Scale::logarithmic};
   Choice<IntervalShape> intervals{"sampling.intervals", "Elementary intervals", IntervalShape::square,
                                   "Shape of the intervals of equal area. A net has as many points in each"};
   std::string compared = kNoSampler;  // a second sampler
@@ -104,7 +109,9 @@ std::vector<ParameterInfo> describe_settings(const Settings& settings) {
       describe(settings.samples),
       dimension_parameter("sampling.x", "Horizontal axis", "The sample dimension on the horizontal axis", settings.x),
       dimension_parameter("sampling.y", "Vertical axis", "The sample dimension on the vertical axis", settings.y),
-      describe(settings.points), describe(settings.intervals), compared_sampler_parameter(settings.compared)};
+      describe(settings.points),
+      describe(settings.intervals),
+      compared_sampler_parameter(settings.compared)};
 }
 
 // The integrators whose samples belong to single pixels.
@@ -290,6 +297,17 @@ class SamplingPanel final : public Panel {
                      },
                  .enabled = [](const AppState& state) { return state.has_document(); },
                  .checked = [](const AppState& state) { return state.is_active_tool(kPickSampledPixel); }});
+    actions.add({.name = kPlayPoints,
+                 .menu = "View",
+                 .label = "Play points",
+                 .tooltip = "Shows the sample points of the selected pixel one by one, first slowly",
+                 .run =
+                     [this](AppState& state) {
+                       playback_.toggle();
+                       state.panels.open(*this);
+                     },
+                 .enabled = [this](const AppState& state) { return state.has_document() && task_.result() != nullptr; },
+                 .checked = [this](const AppState&) { return playback_.is_playing(); }});
   }
 
   std::vector<WaitCondition> wait_conditions() override {
@@ -320,6 +338,12 @@ class SamplingPanel final : public Panel {
       pixel["band"] = s.running_mean.back().confidence;
     }
     if (s.tail.khat) pixel["khat"] = *s.tail.khat;
+    pixel["points"] = shown_points_;
+    pixel["points_play"] = playback_.is_playing();
+    auto& drawn = pixel["drawn_dimensions"];
+    for (const auto& dimension : sampler_dimensions())
+      if (const uint32_t count = s.drawn_dimensions.at(dimension.block, dimension.index))
+        drawn[dimension.name] = count / static_cast<double>(s.counted_samples);
   }
 
   void update(AppState& state) override {
@@ -329,7 +353,7 @@ class SamplingPanel final : public Panel {
       task_.pause();
   }
 
-  std::vector<Task*> tasks() override { return {&task_}; }
+  std::vector<Task*> tasks() override { return {&task_, &playback_}; }
 
   // Ctrl+click selects a pixel.
   bool handle_click(AppState& state, Vec2 position) override {
@@ -380,8 +404,14 @@ class SamplingPanel final : public Panel {
       ImGui::PushFont(state.ui.fonts.monospace);
       ImGui::Text("%d, %d", pixel->x, pixel->y);
       ImGui::PopFont();
+      action_button(state, kPlayPoints);
     }
     filtered_parameters(state, [&] { draw_parameters(state); });
+    const auto statistics = task_.result();
+    if (!statistics || statistics->counted_samples == 0) return;
+    if (!group(state.ui, "Dimensions in use", "sampling.dimensions")) return;
+    if (const auto chosen = drawn_dimensions_table(state.ui, *statistics, kVertices))
+      std::tie(settings_.x, settings_.y) = *chosen;
   }
 
   void draw_parameters(AppState& state) {
@@ -420,11 +450,15 @@ class SamplingPanel final : public Panel {
     if (has_histogram) draw_histogram(ui, draw, {corner + Vec2(width, 0), {width, available.y}}, *statistics);
     const PointCache& points = sample_points(state, statistics->pixel);
     Placement frame{corner + Vec2((has_histogram ? 2 : 1) * width + em, 0), {square, square}};
-    const IntervalShape intervals = settings_.intervals.value;
-    draw_sample_points(ui, draw, frame, sampler_label(state.document().method.sampler), points.points, intervals);
-    if (squares == 1) return;
-    frame.corner.x += square + em;
-    draw_sample_points(ui, draw, frame, sampler_label(settings_.compared), points.compared_points, intervals);
+    shown_points_ = playback_.shown(static_cast<uint32_t>(points.points.size()));
+    const auto draw_points = [&](const std::string& sampler, const std::vector<Vec2>& list) {
+      const std::string count = playback_.is_playing() ? formatted(" (%u points)", shown_points_) : "";
+      draw_sample_points(ui, draw, frame, sampler_label(sampler) + count, std::span(list).first(shown_points_),
+                         settings_.intervals.value);
+      frame.corner.x += square + em;
+    };
+    draw_points(state.document().method.sampler, points.points);
+    if (squares == 2) draw_points(settings_.compared, points.compared_points);
   }
 
   static std::string sampler_label(const std::string& name) {
@@ -453,6 +487,8 @@ class SamplingPanel final : public Panel {
 
   Settings settings_;
   PixelSamplesTask task_;
+  PointPlayback playback_;
+  uint32_t shown_points_ = 0;
   PointCache cache_;
 };
 

@@ -46,6 +46,7 @@ class PixelSamplesTask::Accumulator {
   std::shared_ptr<const PixelStatistics> draw_slice() {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
+    if (!count_dimensions()) return nullptr;
     while (!has_all_samples() && std::chrono::duration<double>(Clock::now() - start).count() < kSliceSeconds) {
       const uint32_t window_end = (drawn_ / kWindow + 1) * kWindow;
       if (!draw_until(std::min(statistics_.target_samples, window_end))) return nullptr;
@@ -62,6 +63,16 @@ class PixelSamplesTask::Accumulator {
   }
 
  private:
+  bool count_dimensions() {
+    if (statistics_.counted_samples > 0) return true;
+    const uint32_t samples = std::min(statistics_.target_samples, kWindow);
+    const auto counts = samples_.drawn_dimensions(samples, [this] { return !cancelled_; });
+    if (!counts) return false;
+    statistics_.drawn_dimensions = *counts;
+    statistics_.counted_samples = samples;
+    return true;
+  }
+
   bool draw_until(uint32_t end) {
     for (uint32_t r = 0; r < replicas_.size(); ++r) {
       replicas_[r].resize(end - drawn_);

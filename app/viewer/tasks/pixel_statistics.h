@@ -6,6 +6,7 @@
 
 #include "base/vec.h"
 #include "film/tail.h"
+#include "sampling/counting_sampler.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::viewer {
@@ -38,6 +39,9 @@ struct PixelStatistics {
   film::Tail tail;
   std::vector<Estimate> running_mean;  // in order of the number of samples
   Histogram histogram;
+  // Of the first counted_samples samples.
+  DimensionCounts drawn_dimensions;
+  uint32_t counted_samples = 0;
 
   uint32_t samples() const { return running_mean.empty() ? 0 : running_mean.back().samples; }
 };
