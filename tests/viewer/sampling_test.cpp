@@ -4,6 +4,7 @@
 #include "scripted.h"
 #include "viewer/panels/interval_grid.h"
 #include "viewer/tasks/pixel_samples_task.h"
+#include "viewer/tasks/point_playback.h"
 
 namespace etendue {
 namespace {
@@ -68,6 +69,48 @@ TEST_F(SamplingPanel, AllDimensionsCanBeSelectedAndUnknownOnesAreRefused) {
   ::testing::internal::CaptureStderr();
   EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, set("sampling.x", "vertex-9.lobe")})), 1);
   EXPECT_NE(::testing::internal::GetCapturedStderr().find("vertex-9.lobe"), std::string::npos);
+}
+
+// At a wall of the Cornell box: every path draws a direction and a light sample there, and ends by roulette later.
+TEST_F(SamplingPanel, DrawnDimensionsAreThoseOfThePathsOfThePixel) {
+  const auto of_integrator = [&](const char* integrator) {
+    const auto steps = joined(small(), json::array({set("render.integrator", integrator), set("sampling.samples", 64),
+                                                    click("sampling.pick"), click_at(300, 200), kWaitForSamples,
+                                                    file_step("state", path("a.json"))}));
+    EXPECT_EQ(run(steps), 0);
+    return state("a.json")["pixel"]["drawn_dimensions"];
+  };
+  const json drawn = of_integrator("path");
+  for (const char* always : {"pixel-x", "pixel-y", "vertex-1.direction-x", "vertex-1.light-x", "vertex-1.light-choice"})
+    EXPECT_EQ(drawn.value(always, 0.0), 1) << always;
+  for (const char* never : {"lens-u", "time", "vertex-1.roulette"}) EXPECT_FALSE(drawn.contains(never)) << never;
+  const double fourth = drawn.value("vertex-4.roulette", 0.0), later = drawn.value("vertex-8.direction-x", 0.0);
+  EXPECT_GT(fourth, 0.5);
+  EXPECT_LT(later, fourth);
+  EXPECT_FALSE(of_integrator("path-pure").contains("vertex-1.light-x"));
+}
+
+TEST_F(SamplingPanel, PointsAppearOneByOne) {
+  const auto steps = joined(
+      small(), json::array({set("sampling.samples", 64), set("sampling.points", 4096), click("sampling.pick"),
+                            click_at(300, 200), kWaitForSamples, file_step("state", path("all.json")),
+                            click("sampling.play"), {{"do", "wait"}, {"seconds", 0.3}},
+                            file_step("state", path("playing.json")), click("sampling.play"),
+                            {{"do", "wait"}, {"seconds", 0.2}}, file_step("state", path("ended.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_EQ(state("all.json")["pixel"]["points"], 4096);
+  const json playing = state("playing.json")["pixel"];
+  EXPECT_EQ(playing["points_play"], true);
+  EXPECT_GE(playing["points"], 1);
+  EXPECT_LT(playing["points"], 4096);
+  EXPECT_EQ(state("ended.json")["pixel"]["points"], 4096);
+}
+
+TEST(PointPlayback, BeginsWithOnePointAndEndsWithAll) {
+  EXPECT_EQ(viewer::points_at(0, 4096), 1U);
+  EXPECT_EQ(viewer::points_at(0.5, 4096), 64U);
+  EXPECT_EQ(viewer::points_at(1, 4096), 4096U);
+  EXPECT_EQ(viewer::points_at(3, 1), 1U);
 }
 
 TEST_F(SamplingPanel, EscapeDeactivatesTheTool) {

@@ -20,6 +20,17 @@ TEST(Film, MeanIncludesBothHalfBuffers) {
 }
 
 // Samples that cannot be radiance are counted by cause and do not affect the mean.
+TEST(Film, NegativeSamplesCountWhereTheyAreAllowed) {
+  film::Film film(1, 1);
+  film.allow_negative_samples(true);
+  EXPECT_TRUE(film.add(0, 0, 0, Rgb(-1)));
+  EXPECT_TRUE(film.add(0, 0, 1, Rgb(4)));
+  EXPECT_EQ(film.mean(0, 0), Rgb(1.5f));
+  EXPECT_FALSE(film.add(0, 0, 0, Rgb(-std::numeric_limits<float>::infinity())));
+  EXPECT_FALSE(film.add(0, 0, 0, Rgb(std::numeric_limits<float>::quiet_NaN())));
+  EXPECT_EQ(film.invalid_samples().total(), 2U);
+}
+
 TEST(Film, InvalidSamplesAreCountedByCause) {
   Film film(1, 1);
   film.add(0, 0, 0, Rgb(NAN, 0, 0));

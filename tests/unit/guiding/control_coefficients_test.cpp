@@ -61,8 +61,7 @@ TEST(DirectLightControl, HasTheLeastVarianceWithItsCoefficient) {
     const double best = two.best_coefficient();
     const double least = two.moments(ControlTerm::radiance, best).variance;
     EXPECT_LT(least, 0.99 * two.moments(ControlTerm::radiance, 0).variance) << "the case tests nothing";
-    for (const double step : {-1e-2, 1e-2})
-      EXPECT_GT(two.moments(ControlTerm::radiance, best + step).variance, least);
+    for (const double step : {-1e-2, 1e-2}) EXPECT_GT(two.moments(ControlTerm::radiance, best + step).variance, least);
   }
 }
 
