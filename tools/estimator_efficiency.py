@@ -2,12 +2,14 @@
 """Efficiency of settings of `path` relative to its defaults, as a table.
 
   tools/estimator_efficiency.py [--etendue PROGRAM] [--scenes LIST] [--settings LIST] [--spp N] [--seeds N] [--size N]
+                                [--all="ARGUMENTS"]
 
 Efficiency is 1 / (mean squared error x processor time of rendering). All settings render a scene in turn with the same
 seeds on one thread and are compared with a reference of another seed. The time of a rendering of one sample is
 subtracted. A value above 1 helps. The settings of a list are separated by commas, those that belong together by "+".
-integrator=NAME and sampler=NAME select these; other settings are parameters of the integrator."""
-import argparse, json, os, resource, subprocess, tempfile
+integrator=NAME and sampler=NAME select these; other settings are parameters of the integrator. All renderings have the
+arguments of --all, such as --all="--env sky --set max-depth=2"."""
+import argparse, json, os, resource, shlex, subprocess, tempfile
 
 SCENES = "cornell,glossy-plates,many-lights,door-ajar,glass-caustic"
 SETTINGS = ("heuristic=balance,heuristic=cutoff,heuristic=maximum,heuristic=constant,heuristic=partition,light-samples=2,"
@@ -33,6 +35,7 @@ def main():
     options.add_argument("--reference", type=int, default=16384)
     options.add_argument("--seeds", type=int, default=6)
     options.add_argument("--size", type=int, default=64)
+    options.add_argument("--all", default="")
     o = options.parse_args()
     scenes, settings = o.scenes.split(","), ["", *o.settings.split(",")]
     table = {s: [] for s in settings}
@@ -44,7 +47,8 @@ def main():
             integrator, sampler = values.pop("integrator", "path"), values.pop("sampler", "sobol")
             sets = [a for name, value in values.items() for a in ("--set", f"{integrator}.{name}={value}")]
             return run(o.etendue, "render", scene, "--size", f"{o.size}x{o.size}", "--spp", str(spp), "--seed", str(seed),
-                       "--integrator", integrator, "--sampler", sampler, "--threads", str(threads), *sets, "-o", output)[1]
+                       "--integrator", integrator, "--sampler", sampler, "--threads", str(threads), *sets, *shlex.split(o.all),
+                       "-o", output)[1]
 
         for scene in scenes:
             render(scene, o.reference, 1000, reference, threads=0)
