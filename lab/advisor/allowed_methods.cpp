@@ -69,6 +69,7 @@ class Filter {
     const integrator::IntegratorInfo& info = *integrator::find_integrator(method.integrator);
     if (!is_allowed(info.bias, document_.automatic.allow))
       return "it is " + std::string(integrator::bias_name(info.bias)) + "; auto.allow permits others only";
+    if (info.negative_samples) return "its samples may be negative, so no tail of bright samples can be measured";
     if (selects_techniques(method)) return "its settings disable or isolate sampling techniques";
     render::Document d = document_;
     d.method = method;
