@@ -5,6 +5,7 @@
 
 // clang-format off
 #define ETENDUE_EXPERIMENTS(ENTRY) \
+  ENTRY(series)                    \
   ENTRY(quadrature)                \
   ENTRY(estimators)                \
   ENTRY(error_bounds)              \

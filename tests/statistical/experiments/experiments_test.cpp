@@ -11,9 +11,13 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
+#include "base/vec.h"
+#include "experiments/densities.h"
 #include "experiments/experiment_output.h"
+#include "experiments/moments.h"
 #include "experiments/test_integrands.h"
 
 namespace etendue::experiments {
@@ -69,6 +73,46 @@ TEST(Experiments, RunsCanBeInterrupted) {
     ASSERT_FALSE(result) << e.description.name;
     EXPECT_EQ(result.error().fault, Fault::interrupted);
   }
+}
+
+// Means and variances of the first and the second coordinate. With a million samples and bounds of five standard errors,
+// the false-alarm rate of all comparisons is below 2e-5.
+TEST(SampledDensities, MomentsAreThoseOfTheory) {
+  constexpr int kSamples = 1'000'000;
+  struct Case {
+    const char* name;
+    SampledDensity density;
+    SampledPoint mean, variance;
+  };
+  const double tail = std::exp(-5.0) / (1 - std::exp(-5.0));
+  for (const Case& c : {Case{"3 x^2", power_density(), {0.75, 0}, {3.0 / 80, 0}},
+                        Case{"exponential", exponential_density(), {0.2 - tail, 0}, {0.04 - tail * (1 + tail), 0}},
+                        Case{"semicircle", semicircle_density(), {0.5, 0}, {1.0 / 16, 0}},
+                        Case{"product", product_density(), {2.0 / 3, 0.75}, {1.0 / 18, 3.0 / 80}},
+                        Case{"disk", disk_density(), {0.5, 0.5}, {1.0 / 16, 1.0 / 16}}})
+    for (const auto* make : {&c.density.inversion, &c.density.transformation}) {
+      if (!*make) continue;
+      equations::RandomNumbers random(7);
+      std::array<Moments, 2> moments, squares;
+      for (int i = 0; i < kSamples; ++i) {
+        const SampledPoint x = (*make)(random);
+        for (size_t k = 0; k < 2; ++k) {
+          moments[k].add(x[k]);
+          squares[k].add(sqr(x[k] - c.mean[k]));
+        }
+      }
+      for (size_t k = 0; k < static_cast<size_t>(c.density.dimension); ++k) {
+        EXPECT_NEAR(moments[k].mean(), c.mean[k], 5 * moments[k].mean_error()) << c.name;
+        EXPECT_NEAR(squares[k].mean(), c.variance[k], 5 * squares[k].mean_error()) << c.name;
+      }
+    }
+}
+
+// Area of the unit disk and mass of 3 x^2 by rejection: acceptance pi/4 and 1/3.
+TEST(SampledDensities, BoundsAreThoseOfTheAcceptanceRates) {
+  EXPECT_DOUBLE_EQ(1 / power_density().bound, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(1 / semicircle_density().bound, std::numbers::pi / 4);
+  EXPECT_DOUBLE_EQ(1 / disk_density().bound, std::numbers::pi / 4);
 }
 
 TEST(Quadrature, SlopesAreThoseOfTheory) {
