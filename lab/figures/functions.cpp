@@ -292,4 +292,23 @@ Figure figure_3_17() {
       }};
 }
 
+Figure figure_2_3() {
+  return {
+      .title = "Sequences of functions",
+      .note =
+          "The caption of the thesis is lost. The first sequence converges pointwise to a function that is not "
+          "continuous, "
+          "the second one uniformly to zero.",
+      .make = [](const MakeContext&) -> Result<Parts> {
+        std::vector<FunctionCurve> powers, quotients;
+        for (const int n : {1, 2, 4, 8, 16, 64}) {
+          const std::string name = "n = " + std::to_string(n);
+          powers.push_back({.name = name, .points = sampled([n](double x) { return std::pow(x, n); }, 0, 1)});
+          quotients.push_back({.name = name, .points = sampled([n](double x) { return std::pow(x, n) / n; }, 0, 1)});
+        }
+        return Parts{curves_part("x to the power of n", "x", "", std::move(powers)),
+                     curves_part("x to the power of n, divided by n", "x", "", std::move(quotients))};
+      }};
+}
+
 }  // namespace etendue::figures

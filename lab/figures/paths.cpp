@@ -1,53 +1,8 @@
 // Figures of paths: the samples of a pixel over a faded picture, and the parts of light transport by path classes.
-#include <memory>
-
-#include "figures/tools.h"
-#include "render/pixel_trace.h"
-#include "scene/compiled_scene.h"
-#include "trace/trace_drawing.h"
+#include "figures/path_pictures.h"
 
 namespace etendue::figures {
 namespace {
-
-// The picture, brightened, with the drawing on it as if with ink.
-Picture drawn_over(const Picture& picture, const metrics::Drawing& drawing) {
-  Picture result = picture;
-  const std::vector<uint8_t> ink_on_white = metrics::rasterize(drawing);
-  for (size_t i = 0; i < result.pixels.size(); ++i) {
-    const int faded = 150 + 105 * result.pixels[i] / 255;
-    result.pixels[i] = static_cast<uint8_t>(faded * ink_on_white[i] / 255);
-  }
-  return result;
-}
-
-// One of the first samples of the pixel: that with the most vertices.
-Result<render::PixelTrace> longest_sample(const render::Document& document, Vec2i pixel) {
-  constexpr uint32_t kSamples = 24;
-  const auto scene = scene::compile(document.scene, document.camera, nullptr);
-  auto longest = render::trace_pixel(document, scene, pixel, 0);
-  for (uint32_t sample = 1; longest && sample < kSamples; ++sample) {
-    auto trace = render::trace_pixel(document, scene, pixel, sample);
-    if (trace && trace->record.vertices.size() > longest->record.vertices.size()) longest = std::move(trace);
-  }
-  return longest;
-}
-
-// The paths of a sample at a position in the unit square, y downwards.
-Result<Part> path_part(const std::string& caption, render::Document document, Vec2 position,
-                       const MakeContext& context) {
-  const Part background =
-      rendering_part(caption, document_of(document.scene_name, {"integrator=path"}), context, {.samples = 64});
-  const Picture& picture = std::get<Picture>(background.content);
-  document.width = picture.width;
-  document.height = picture.height;
-  document.seed = context.seed;
-  const Vec2i pixel(static_cast<int>(position.x * static_cast<float>(picture.width)),
-                    static_cast<int>(position.y * static_cast<float>(picture.height)));
-  const auto trace = longest_sample(document, pixel);
-  if (!trace) return trace.error();
-  const auto drawing = trace::path_drawing(*trace, document.camera, {picture.width, picture.height});
-  return Part{.caption = caption, .content = drawn_over(picture, drawing)};
-}
 
 Result<Parts> single_part(Result<Part> part) {
   if (!part) return part.error();

@@ -388,4 +388,20 @@ Figure figure_7_19() {
           }};
 }
 
+Figure figure_7_12() {
+  return {.title = "A (0, 3, 2)-net and a point set that is none",
+          .note =
+              "The caption of the thesis is lost. The elementary intervals of area 1/8 in base 2. Each of them has one "
+              "of the eight "
+              "points of Hammersley's set; of Halton's sequence, whose second coordinate has base 3, some are empty.",
+          .columns = 4,
+          .make = [](const MakeContext&) -> Result<Parts> {
+            Parts parts;
+            for (const auto& [name, points] :
+                 {std::pair{"Hammersley", hammersley_points(8)}, std::pair{"Halton", halton_points(8)}})
+              for (const int columns : {8, 4, 2, 1}) parts.push_back(points_part(name, points, columns, 8 / columns));
+            return parts;
+          }};
+}
+
 }  // namespace etendue::figures
