@@ -13,18 +13,21 @@ Part interactions_part(const char* scene, int interactions, const MakeContext& c
                         {.samples = 256, .exposure = exposure, .columns = 2});
 }
 
+// Zero to three interactions; pictures of more than one are brighter by one stop each.
+Result<Parts> terms_of(const char* scene, const MakeContext& context) {
+  Parts parts;
+  for (int k = 0; k <= 3; ++k)
+    parts.push_back(interactions_part(scene, k, context, static_cast<float>(std::max(0, k - 1))));
+  return parts;
+}
+
 }  // namespace
 
 Figure figure_5_9() {
   return {.title = "Terms of the Neumann series with participating media",
           .note = "The light after zero to three applications of the transport operator, at surfaces and in fog.",
           .columns = 2,
-          .make = [](const MakeContext& context) -> Result<Parts> {
-            Parts parts;
-            for (int k = 0; k <= 3; ++k)
-              parts.push_back(interactions_part("fog", k, context, static_cast<float>(std::max(0, k - 1))));
-            return parts;
-          }};
+          .make = [](const MakeContext& context) { return terms_of("fog", context); }};
 }
 
 Figure figure_5_11() {
@@ -33,12 +36,7 @@ Figure figure_5_11() {
               "Each picture is the integral of the measurement contribution over the paths of one length. Pictures of "
               "lengths 3 and 4 are brighter by one and two stops.",
           .columns = 2,
-          .make = [](const MakeContext& context) -> Result<Parts> {
-            Parts parts;
-            for (int k = 0; k <= 3; ++k)
-              parts.push_back(interactions_part("cornell", k, context, static_cast<float>(std::max(0, k - 1))));
-            return parts;
-          }};
+          .make = [](const MakeContext& context) { return terms_of("cornell", context); }};
 }
 
 Figure figure_6_44() {
