@@ -21,7 +21,8 @@ struct Periodogram {
   }
 };
 
-// Of one set, and the mean over several sets, at least one. Time O(N extent^2) for each.
+// Of one set, and the mean over several sets, at least one. Time O(N extent^2) for each. The sums are exact at the places
+// of the points; a fast Fourier transform would first round them to a grid.
 Periodogram periodogram(const PointSet& points, int extent);
 Periodogram mean_periodogram(const std::vector<PointSet>& sets, int extent);
 
