@@ -14,7 +14,7 @@ shift
 scenes=()
 for argument in "$@"; do
   if [ -d "$argument" ]; then
-    mapfile -d '' -t found < <(find "$argument" -name '*.gl*' ! -path '*Negative*' -print0 | sort -z)
+    mapfile -d '' -t found < <(find "$argument" -name '*.gl*' ! -path '*/Negative/*' -print0 | sort -z)
     scenes+=("${found[@]}")
   else
     scenes+=("$argument")

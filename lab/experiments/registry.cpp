@@ -5,8 +5,8 @@
 
 // clang-format off
 #define ETENDUE_EXPERIMENTS(ENTRY) \
-  ENTRY(series)                    \
   ENTRY(quadrature)                \
+  ENTRY(series)                    \
   ENTRY(estimators)                \
   ENTRY(error_bounds)              \
   ENTRY(ratio_estimator)           \

@@ -68,8 +68,9 @@ class PathTracingWithControl final : public IntegratorBase<PathTracingWithContro
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
                              4,
-                             {2, 64},
-                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
+                             {1, 64},
+                             "Path length from which paths are terminated at random, but not at their first vertex, "
+                             "whose light has the control. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -126,6 +127,11 @@ class ControlState final : public RenderState {
     return integrator_.control == ControlVariate::ambient ? ControlledLights::environment : ControlledLights::all;
   }
 
+  // A path that roulette ended would have no BSDF sample, and its control an expectation other than zero.
+  transport::RouletteSettings roulette_at_first_vertices() const {
+    return std::max<int>(2, integrator_.roulette_start);
+  }
+
   // Adds the sums of the tiles of a block; each of its terms is estimated by paths with the same random numbers.
   template <class M>
   std::optional<uint64_t> learn([[maybe_unused]] PixelBlock block, [[maybe_unused]] const TaskContext& task_context) {
@@ -157,7 +163,7 @@ class ControlState final : public RenderState {
     ones.fill(Rgb(1));
     DirectLightControl<M> control(paths, controlled(), ones, term);
     if (paths.trace() && !integrator_.at_max_depth(1))
-      while (paths.next_hits()) control.scatter(integrator_.roulette_start);
+      while (paths.next_hits()) control.scatter(roulette_at_first_vertices());
     albedos = control.albedos();
     paths.trace();
     if (paths.length() == 2) {
@@ -199,7 +205,7 @@ class ControlState final : public RenderState {
           add_emission(paths, kBalance, kSampling);
         if (integrator_.at_max_depth(paths.length())) continue;
         if (paths.length() == 1) {
-          control.scatter(integrator_.roulette_start);
+          control.scatter(roulette_at_first_vertices());
         } else {
           add_direct_light(paths, kSampling, kBalance);
           sample_bsdf(paths, integrator_.roulette_start);
