@@ -300,13 +300,17 @@ class SamplingPanel final : public Panel {
     actions.add({.name = kPlayPoints,
                  .menu = "View",
                  .label = "Play points",
-                 .tooltip = "Shows the sample points of the selected pixel one by one, first slowly",
+                 .tooltip = "Shows the sample points of the selected pixel one by one, first slowly. Without a pixel: "
+                            "click one first",
                  .run =
-                     [this](AppState& state) {
-                       playback_.toggle();
+                     [this, use](AppState& state) {
+                       if (task_.pixel())
+                         playback_.toggle();
+                       else if (!state.is_active_tool(kPickSampledPixel))
+                         state.toggle_tool({.name = kPickSampledPixel, .use = use});
                        state.panels.open(*this);
                      },
-                 .enabled = [this](const AppState& state) { return state.has_document() && task_.result() != nullptr; },
+                 .enabled = [](const AppState& state) { return state.has_document(); },
                  .checked = [this](const AppState&) { return playback_.is_playing(); }});
   }
 

@@ -31,6 +31,8 @@ uint32_t PointPlayback::shown(uint32_t count) {
   return points;
 }
 
-bool PointPlayback::has_update() const { return is_playing() && Clock::now() - drawn_ >= kFrame; }
+bool PointPlayback::wants_frames() const { return start_ && Clock::now() - *start_ < kDuration + 10 * kFrame; }
+
+bool PointPlayback::has_update() const { return wants_frames() && Clock::now() - drawn_ >= kFrame; }
 
 }  // namespace etendue::viewer

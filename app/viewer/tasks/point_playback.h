@@ -18,10 +18,13 @@ class PointPlayback final : public Task {
 
   void reset(const TaskContext&) override { start_.reset(); }
   bool has_update() const override;
-  bool is_waiting() const override { return is_playing(); }
+  bool is_waiting() const override { return wants_frames(); }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // Not for longer than the points take, also if they are not drawn.
+  bool wants_frames() const;
 
   std::optional<Clock::time_point> start_;
   Clock::time_point drawn_;
