@@ -331,8 +331,7 @@ std::string figure_section(const figures::Figure& figure) {
 // The figures of a chapter that are not made, by reason.
 std::string missing_figures(const std::string& chapter) {
   std::string text;
-  for (const auto reason :
-       {figures::Reason::open, figures::Reason::artwork, figures::Reason::pseudocode, figures::Reason::diagram}) {
+  for (const auto reason : {figures::Reason::artwork, figures::Reason::pseudocode, figures::Reason::diagram}) {
     std::string numbers;
     for (const auto& figure : figures::not_made())
       if (figure.reason == reason && chapter_of(figure.number) == chapter)

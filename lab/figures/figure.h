@@ -6,8 +6,8 @@
 //     return {.title = "Halton sequence", .make = [](const MakeContext&) -> Result<Parts> { ... }};
 //   }
 //
-// and one line in registry.cpp. `etendue figure`, the manual and the tests read the registry. Figures that cannot be made,
-// or are not made yet, are listed with the reason in not_made.cpp.
+// and one line in registry.cpp. `etendue figure`, the manual and the tests read the registry. Figures that cannot be made
+// are listed with the reason in not_made.cpp.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -59,8 +59,7 @@ const Figure* find_figure(std::string_view number);
 enum class Reason {
   diagram,     // illustrates a definition or a geometry and shows nothing computed
   pseudocode,  // a listing
-  artwork,     // a photograph, or an image of assets that are not available
-  open,        // a program could make it; this one does not yet
+  artwork      // a photograph, or an image of assets that are not available
 };
 struct NotMade {
   const char* number;

@@ -87,8 +87,6 @@ const char* explanation(Reason reason) {
       return "A listing.";
     case Reason::artwork:
       return "A photograph, or an image of models that are not available.";
-    case Reason::open:
-      return "A program can make it; this one does not yet.";
   }
   return "";
 }
