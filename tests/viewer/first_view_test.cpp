@@ -124,6 +124,26 @@ TEST_F(FirstView, TheStudioIsAddedWhereMostObjectsAreBlack) {
   }
 }
 
+// Cameras of glTF files have a near plane of 1 cm and state no focus.
+TEST_F(FirstView, ACameraOfTheFileIsAdjustedWhenItIsChosen) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const std::string file = std::string(data) + "/gltf/Cameras/glTF/Cameras.gltf";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
+  for (const char* camera : {"camera.choose.0", "camera.choose.1"}) {
+    const json steps = json::array({{{"do", "wait"}, {"spp", 2}},
+                                    click("tab.camera"),
+                                    click("camera.choose"),
+                                    click(camera),
+                                    {{"do", "wait"}, {"spp", 2}},
+                                    file_step("state", path("s.json"))});
+    ASSERT_EQ(run(steps, file), 0);
+    const json parameters = state("s.json")["parameters"];
+    EXPECT_EQ(parameters["camera.near-clip"], 0) << camera;
+    EXPECT_GT(parameters["camera.focus-distance"].get<double>(), 2) << camera;
+  }
+}
+
 TEST_F(FirstView, AnEditOfTheUserEndsTheAdjustments) {
   ASSERT_EQ(run(json::array({set("camera.exposure", 1),
                              {{"do", "wait"}, {"spp", 8}},

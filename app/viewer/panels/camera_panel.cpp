@@ -12,6 +12,7 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/viewport/first_view.h"
 #include "viewer/viewport/viewport.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -30,8 +31,10 @@ void use_camera(AppState& state, const Camera& camera) {
   changed.camera_name = camera.name;
   if (camera.aspect > 0)
     changed.width = std::max(1, static_cast<int>(std::lround(static_cast<float>(changed.height) * camera.aspect)));
+  const auto scene = state.session->scene();
+  if (scene) changed.camera = camera_for_navigation(changed, *scene);
+  if (scene) state.viewport.camera_controller.reset_pivot(changed.camera, *scene);
   state.edit(std::move(changed), "Camera " + camera.name);
-  if (const auto scene = state.session->scene()) state.viewport.camera_controller.reset_pivot(camera, *scene);
 }
 
 void camera_combo(AppState& state) {
