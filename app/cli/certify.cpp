@@ -49,8 +49,7 @@ std::string time_text(double seconds, const char* introduction) {
 // At the start, on standard error.
 void print_expected_time(double needed, double limit) {
   std::string text = "a confirmation takes about " + format_duration(needed);
-  if (needed > limit)
-    text += "; the statement after " + format_duration(limit) + " (--time) will be weaker";
+  if (needed > limit) text += "; the statement after " + format_duration(limit) + " (--time) will be weaker";
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
@@ -64,7 +63,10 @@ void print(const advisor::CertificationResult& f, const advisor::CertifiedImage&
                 f.rmse.interval.high, claim.certificate.rmse->interval.low, claim.certificate.rmse->interval.high,
                 time_text(f.seconds_needed, "; a confirmation takes --time ").c_str());
   } else if (f.verdict == advisor::Verdict::undecided) {
-    std::printf("undecided: there was no time for a comparison%s\n", time_text(f.seconds_needed, "; give --time ").c_str());
+    for (const auto& reason : f.reasons) std::printf("undecided: %s\n", reason.c_str());
+    if (f.reasons.empty())
+      std::printf("undecided: there was no time for a comparison%s\n",
+                  time_text(f.seconds_needed, "; give --time ").c_str());
   } else {
     for (const auto& reason : f.reasons) std::printf("does not stand: %s\n", reason.c_str());
   }

@@ -1,7 +1,6 @@
 #include "viewer/frame_update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "light/environments/uniform.h"
@@ -51,14 +50,6 @@ void use_environment(AppState& state, const OpenedFile& opened) {
   changed.scene = std::move(scene);
   state.edit(std::move(changed), "Environment");
   state.notices.add_message("Environment map: " + base_name(opened.file));
-}
-
-// Gives the image the size at which the viewport shows it, with the aspect ratio of the camera if that has one.
-void fit_image(render::Document& document, Vec2 region) {
-  const float aspect = document.camera.aspect;
-  if (aspect > 0) region = {std::min(region.x, region.y * aspect), std::min(region.y, region.x / aspect)};
-  document.width = std::max(kMinImageSize, static_cast<int>(std::lround(region.x)));
-  document.height = std::max(kMinImageSize, static_cast<int>(std::lround(region.y)));
 }
 
 // The name of the window: that of the session file if there is one, otherwise of the scene.
@@ -112,6 +103,7 @@ void open_document(AppState& state, OpenedFile opened) {
   state.viewport.first_view = opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
   state.viewport.playback = {};
   state.viewport.zoom = {};
+  state.viewport.fit.reset(state.document(), opened.kind == OpenedFile::Kind::scene);
   state.viewport.focus.clear();
   if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
   state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
@@ -244,7 +236,7 @@ void update_comparison_source(AppState& state) {
   state.viewport.comparison->live = {.name = short_method_name(spec) + samples,
                                      .label = method_label(spec) + samples,
                                      .frame = frame,
-                                     .unavailable = state.incompatibility()};
+                                     .unavailable = with_labels(state.document(), state.incompatibility()).text};
 }
 
 void update_pivot(AppState& state) {
@@ -281,6 +273,7 @@ void update_state(AppState& state, ImageView& live_image) {
   state.viewport.comparison->update(display.exposure, display.curve);
   update_pivot(state);
   adjust_first_view(state);
+  state.viewport.fit.update(state);
 }
 
 bool has_task_update(const AppState& state) {

@@ -85,7 +85,7 @@ void add_limits(DocumentParameters& list, const Limits& limits) {
                                               {0, 1e6f},
                                               "Stops when the estimated error falls below this; 0: no limit. Relative "
                                               "and displayed errors are fractions: 0.01 is 1 %",
-                                              "",
+                                              limits.measure == film::ErrorMeasure::rmse ? "" : "fraction",
                                               Scale::logarithmic},
                                 [](Document& d, float v) { d.limits.error = static_cast<double>(v); }));
   list.push_back(make_parameter(

@@ -69,10 +69,12 @@ void print(std::string& text, const char* format, T... values) {
 
 void print_table(std::string& text, const ClassTable& table) {
   print(text, "%-36s %8s  %s\n", "paths", "share", "energy");
-  for (const auto& row : table.rows)
-    print(text, "%-36s %8s  %s +- %s%s\n", row.paths.c_str(), percent(row.share).c_str(),
-          number(row.energy.mean).c_str(), number(row.energy.standard_error).c_str(),
-          row.energy.uncertain() ? "  uncertain" : "");
+  const std::vector<std::string> shares = percents(table.shares());
+  for (size_t i = 0; i < table.rows.size(); ++i) {
+    const ClassRow& row = table.rows[i];
+    print(text, "%-36s %8s  %s +- %s%s\n", row.paths.c_str(), shares[i].c_str(), number(row.energy.mean).c_str(),
+          number(row.energy.standard_error).c_str(), row.energy.uncertain() ? "  uncertain" : "");
+  }
   if (table.unseen.empty()) return;
   text += "no energy found in";
   for (const auto& paths : table.unseen) text += ' ' + paths;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "advisor/report_numbers.h"
+#include "render/clock.h"
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
 
@@ -14,6 +15,8 @@ using integrator::Bias;
 
 // The fraction of the reported progress assigned to the path class table.
 constexpr double kTableProgress = 0.2;
+// For all pilots together, if the table has used up the time.
+constexpr double kLeastPilotSeconds = 0.1;
 
 double missing_error(const MissingPaths& misses, const ClassTable& table, film::ErrorMeasure measure,
                      const film::DisplayTransform& display) {
@@ -110,6 +113,7 @@ std::vector<bench::MethodSpec> candidates(const render::Document& document) {
 
 Ranking advise(render::Session& session, const render::Document& document, const AdviceRequest& request,
                const bench::Progress& progress, const RankingPublisher& publish, const PlanPublisher& on_plan) {
+  const auto start = render::Clock::now();
   Ranking ranking;
   ranking.target = request.target;
   ranking.measure = request.measure;
@@ -146,13 +150,14 @@ Ranking advise(render::Session& session, const render::Document& document, const
     rank(ranking);
     publish_ranking();
   };
-  double pilot_seconds = request.pilot_seconds;
   const auto count = static_cast<double>(std::max<size_t>(1, suitable.size()));
-  if (request.seconds > 0)
-    pilot_seconds = std::min(pilot_seconds, std::max(0.0, request.seconds - ranking.table.seconds) / count);
-  if (on_plan) on_plan(suitable.size(), pilot_seconds * count);
-  const PilotPlan plan{
-      .seconds = pilot_seconds, .target = request.target, .seed = request.seed, .measure = request.measure};
+  PilotPlan plan{
+      .seconds = request.pilot_seconds, .target = request.target, .seed = request.seed, .measure = request.measure};
+  if (request.seconds > 0) {
+    plan.total_seconds = std::max(kLeastPilotSeconds, request.seconds - render::seconds_since(start));
+    plan.seconds = std::min(plan.seconds, plan.total_seconds / count);
+  }
+  if (on_plan) on_plan(suitable.size(), plan.seconds * count);
   const auto pilots = run_pilots(session, suitable, plan, pilot_progress, update);
   update(pilots);
   ranking.interrupted = pilots.interrupted;

@@ -113,7 +113,7 @@ class Certifier {
   }
 
   CertificationResult run() {
-    if (!image_.certificate.rmse || !image_.certificate.relmse) return refute("the certificate states no error");
+    if (!image_.certificate.rmse || !image_.certificate.relmse) return without_statement();
     if (const auto text = contradiction(image_); !text.empty()) return refute(text);
     for (uint32_t samples = kFirstSamples;; samples *= 2) {
       const bool has_time = render(samples);
@@ -134,15 +134,26 @@ class Certifier {
     return result_;
   }
 
+  CertificationResult without_statement() {
+    result_.verdict = Verdict::undecided;
+    result_.reasons.push_back("the certificate states no error, because " +
+                              std::string(image_.samples < film::kHalfBuffers
+                                              ? "the image has one sample per pixel and an estimate needs two"
+                                              : "none could be estimated from the samples of the image"));
+    return result_;
+  }
+
   CertificationResult without_comparison() {
     result_.seconds_needed = seconds_for_samples_of_image();
     return result_;
   }
 
-  // The time of an independent rendering with the sample count of the image, which suffices in most cases.
+  // The time of an independent rendering with at least the sample count of the image, which suffices in most cases. The
+  // comparison waits for the next doubling of the samples.
   double seconds_for_samples_of_image() const {
-    const double seconds_per_sample = result_.seconds / std::max(1u, result_.samples);
-    return seconds_per_sample * std::max(kFirstSamples, image_.samples);
+    uint32_t samples = kFirstSamples;
+    while (samples < image_.samples) samples *= 2;
+    return result_.seconds / std::max(1u, result_.samples) * samples;
   }
 
   // Continues the independent rendering to this sample count; false if the time is used up or it was interrupted.

@@ -242,6 +242,12 @@ class TableBuilder {
 
 }  // namespace
 
+std::vector<double> ClassTable::shares() const {
+  std::vector<double> list;
+  for (const ClassRow& row : rows) list.push_back(row.share);
+  return list;
+}
+
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
                                         const TableOptions& options, const bench::Progress& progress) {
   return measure_energy(session, small_image(session, document, options), [&] { return progress(0, "all paths"); });

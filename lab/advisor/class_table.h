@@ -37,6 +37,9 @@ struct ClassTable {
   bool volumes = false;       // the scene has scattering media; without them, expressions match no V
   bool finished = false;      // no class is left to split within the limits
   double seconds = 0;         // the time the table took
+
+  // Those of the rows.
+  std::vector<double> shares() const;
 };
 
 struct TableOptions {

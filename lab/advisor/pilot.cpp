@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "advisor/reference_integrator.h"
+#include "render/clock.h"
 
 namespace etendue::advisor {
 namespace {
@@ -12,6 +13,8 @@ namespace {
 constexpr double kAbandonRatio = 3;
 // ... and it has at least this many samples; error estimates from fewer samples are too uncertain.
 constexpr uint32_t kMinSamples = 8;
+// Seconds that a rendering gets at least.
+constexpr double kShortest = 0.01;
 // The number of samples from which on adaptive sampling converges at a steady rate.
 constexpr uint32_t kAdaptiveSteady = 32;
 
@@ -28,7 +31,7 @@ class Runner {
       pilot.method.document.seed = plan_.seed;
     }
     const bool completed = compare_sizes(methods) && run_rounds();
-    all_.interrupted = !completed;
+    all_.interrupted = !completed && !is_out_of_time();
     return std::move(all_);
   }
 
@@ -61,23 +64,31 @@ class Runner {
     }
   }
 
-  // The next round takes as long as all previous ones together, so a pilot ends once 60 % of its time are used.
+  bool is_out_of_time() const { return plan_.total_seconds > 0 && render::seconds_since(start_) > plan_.total_seconds; }
+
+  // The next round takes as long as all previous ones together, so a pilot ends once half of its time is used.
   bool is_done(const Pilot& pilot) const {
     const bool reached = pilot.error.known && pilot.error.interval.high * all_.size_ratio.error <= plan_.target;
-    return pilot.abandoned || reached || pilot.seconds >= 0.6 * plan_.seconds;
+    return pilot.abandoned || reached || pilot.seconds >= 0.5 * plan_.seconds;
   }
 
   bool advance(Pilot& pilot, uint32_t samples) {
     render::Document d = pilot.method.document;
-    d.limits = {samples, 0, 0};
+    // At least the first two samples are complete, because an error needs both half-buffers.
+    const bool is_first = pilot.samples < film::kHalfBuffers;
+    d.limits = {samples, is_first ? 0 : std::max(kShortest, plan_.seconds - pilot.seconds), 0};
     const uint64_t version = pilot.samples > 0 ? session_.submit(d, std::move(pilot.film)) : session_.submit(d);
-    const auto keep_going = [&](const render::Status& s) { return progress_(done(s.seconds), pilot.method.name); };
+    const auto keep_going = [&](const render::Status& s) {
+      return progress_(done(s.seconds), pilot.method.name) && !is_out_of_time();
+    };
     const bool completed = bench::wait_for(session_, version, keep_going);
     const auto status = session_.status();
     pilot.film = session_.film_copy();
     pilot.seconds += status.seconds;
     total_seconds_ += status.seconds;
     pilot.samples = status.samples;
+    if (pilot.samples < samples)
+      return completed;  // out of time; half a digital net says less than the measurement before
     pilot.error = film::measured_error(pilot.film, plan_.measure, d.display.transform());
     // The error drops when adaptive sampling starts; that drop must not enter the predicted convergence rate.
     if (d.method.adaptive == render::Adaptive::off || pilot.samples >= kAdaptiveSteady)
@@ -105,6 +116,7 @@ class Runner {
   const PilotPlan& plan_;
   const bench::Progress& progress_;
   const PilotPublisher& publish_;
+  render::Clock::time_point start_ = render::Clock::now();
   double total_seconds_ = 0;
   Pilots all_;
 };

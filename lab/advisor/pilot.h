@@ -36,8 +36,9 @@ struct Pilot {
 };
 
 struct PilotPlan {
-  double seconds = 1;  // approximate rendering time per method
-  double target = 0;   // error; decides which methods are abandoned
+  double seconds = 1;        // longest rendering time per method
+  double total_seconds = 0;  // longest time of all pilots, with what precedes their first samples; 0: no limit
+  double target = 0;         // error; decides which methods are abandoned
   uint64_t seed = 0;
   int max_pixels = 40000;
   film::ErrorMeasure measure = film::ErrorMeasure::rmse;  // of `target`

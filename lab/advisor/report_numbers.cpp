@@ -1,7 +1,9 @@
 #include "advisor/report_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 namespace etendue::advisor {
 namespace {
@@ -13,6 +15,9 @@ std::string printed(const char* format, T... values) {
   return text;
 }
 
+// Smaller shares have two significant digits.
+bool is_large(double share) { return share >= 0.0995; }
+
 }  // namespace
 
 std::string number(double value) { return printed("%.3g", value); }
@@ -21,7 +26,31 @@ std::string error_number(film::ErrorMeasure measure, double error) {
   return measure == film::ErrorMeasure::rmse ? number(error) : number(100 * error) + " %";
 }
 
-std::string percent(double share) { return printed(share >= 0.0995 ? "%.0f %%" : "%.2g %%", 100 * share); }
+std::string percent(double share) { return printed(is_large(share) ? "%.0f %%" : "%.2g %%", 100 * share); }
+
+std::vector<std::string> percents(std::span<const double> shares) {
+  std::vector<std::string> texts;
+  std::vector<size_t> large;  // those that are rounded to whole percents
+  std::vector<double> whole(shares.size());
+  double remainder = 0, rounded_up = 0;
+  for (size_t i = 0; i < shares.size(); ++i) {
+    if (!is_large(shares[i])) continue;
+    large.push_back(i);
+    whole[i] = std::floor(100 * shares[i]);
+    remainder += 100 * shares[i] - whole[i];
+  }
+  // The largest remainders are rounded up.
+  std::ranges::stable_sort(large, std::greater(), [&](size_t i) { return 100 * shares[i] - whole[i]; });
+  constexpr double kRounding = 1e-6;
+  for (const size_t i : large)
+    if (rounded_up + 1 <= remainder + kRounding) {
+      ++whole[i];
+      ++rounded_up;
+    }
+  for (size_t i = 0; i < shares.size(); ++i)
+    texts.push_back(is_large(shares[i]) ? printed("%.0f %%", whole[i]) : percent(shares[i]));
+  return texts;
+}
 
 std::string times(double ratio) { return printed(ratio < 9.95 ? "%.1f" : "%.0f", ratio); }
 

@@ -73,9 +73,8 @@ TEST_F(FirstView, TheBackdropLimitsTheExposure) {
   }
   const std::string file = path("dark-walls.glb");
   ASSERT_TRUE(scene::save_gltf(scene, file));
-  const json steps = json::array({{{"do", "wait"}, {"spp", 8}},
-                                  {{"do", "wait"}, {"seconds", 0.5}},
-                                  file_step("state", path("s.json"))});
+  const json steps = json::array(
+      {{{"do", "wait"}, {"spp", 8}}, {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("s.json"))});
   ASSERT_EQ(run(steps, file), 0);
   const json parameters = state("s.json")["parameters"];
   EXPECT_EQ(parameters["environment.preset"], "studio");
@@ -116,12 +115,72 @@ TEST_F(FirstView, TheStudioIsAddedWhereMostObjectsAreBlack) {
   const std::string file = std::string(data) + "/gltf/IridescenceSuzanne.glb";
   if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
   for (const auto& [width, height] : {std::pair(1280, 720), std::pair(900, 560)}) {
-    const json steps = json::array({{{"do", "wait"}, {"spp", 16}}, {{"do", "wait"}, {"seconds", 0.5}},
-                                    {{"do", "wait"}, {"spp", 8}}, file_step("state", path("s.json"))});
+    const json steps = json::array({{{"do", "wait"}, {"spp", 16}},
+                                    {{"do", "wait"}, {"seconds", 0.5}},
+                                    {{"do", "wait"}, {"spp", 8}},
+                                    file_step("state", path("s.json"))});
     ASSERT_EQ(run(steps, file, width, height), 0);
     EXPECT_EQ(state("s.json")["parameters"]["environment.preset"], "studio") << width;
     EXPECT_EQ(state("s.json")["darkness"], "none") << width;
   }
+}
+
+// In every environment the backdrop is a middle grey, at the exposure that the viewer chooses. The left border of the image
+// shows the backdrop only.
+TEST_F(FirstView, TheBackdropIsNeitherDarkNorBright) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const json wait =
+      json::array({{{"do", "wait"}, {"spp", 8}}, {{"do", "wait"}, {"seconds", 0.5}}, {{"do", "wait"}, {"spp", 2}}});
+  for (const char* file : {"Duck.glb", "CesiumMilkTruck.glb"}) {
+    json steps = wait;
+    for (const char* environment : {"overcast", "sunset", "sky", "studio"}) {
+      steps.push_back(set("environment.preset", environment));
+      steps = joined(steps, wait);
+      steps.push_back(file_step("image", path(std::string(environment) + ".png")));
+    }
+    ASSERT_EQ(run(steps, std::string(data) + "/gltf/" + file), 0);
+    for (const char* environment : {"overcast", "sunset", "sky", "studio"}) {
+      const auto image = image::read_linear(path(std::string(environment) + ".png"));
+      ASSERT_TRUE(image) << image.error().message;
+      const size_t left_middle = static_cast<size_t>(image->height / 2) * static_cast<size_t>(image->width);
+      const float level = 255 * linear_to_srgb(image->find("")->pixels[3 * left_middle + 1]);
+      EXPECT_GT(level, 60) << file << ' ' << environment;
+      EXPECT_LT(level, 160) << file << ' ' << environment;
+    }
+  }
+}
+
+// Lamps of their own are bright and light their surroundings little. A lower exposure, which suits the lamps, must not
+// hide the rest.
+TEST_F(FirstView, TheExposureForALampDoesNotHideTheRest) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const std::string file = std::string(data) + "/gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
+  const json steps = json::array({{{"do", "wait"}, {"spp", 8}},
+                                  {{"do", "wait"}, {"seconds", 0.5}},
+                                  {{"do", "wait"}, {"spp", 16}},
+                                  file_step("state", path("s.json"))});
+  ASSERT_EQ(run(steps, file, 1280, 720), 0);
+  const json s = state("s.json");
+  EXPECT_EQ(s["darkness"], "none");
+  EXPECT_LE(s["parameters"]["camera.exposure"].get<double>(), 0);
+}
+
+// The focus of a pinhole is on the surface in the middle of what it sees, also after "Frame all".
+TEST_F(FirstView, AFramedCameraIsFocused) {
+  const json steps = json::array({{{"do", "wait"}, {"spp", 2}},
+                                  set("camera.focus-distance", 1000),
+                                  set("camera.near-clip", 0.001),
+                                  key("home"),
+                                  {{"do", "wait"}, {"spp", 2}},
+                                  file_step("state", path("s.json"))});
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  const json parameters = state("s.json")["parameters"];
+  EXPECT_LT(parameters["camera.focus-distance"].get<double>(), 20);
+  EXPECT_GT(parameters["camera.focus-distance"].get<double>(), 1);
+  EXPECT_EQ(parameters["camera.near-clip"], 0);
 }
 
 // Cameras of glTF files have a near plane of 1 cm and state no focus.

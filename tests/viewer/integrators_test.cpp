@@ -3,7 +3,9 @@
 #include <set>
 
 #include "integrator/integrator.h"
+#include "render/document.h"
 #include "scripted.h"
+#include "viewer/state/document_info.h"
 #include "viewer/tasks/technique_task.h"
 
 namespace etendue {
@@ -234,6 +236,18 @@ TEST(TechniqueSet, AddAndRemove) {
   EXPECT_EQ(toggle_technique("0,3", 1, 2), "0,3 1,2");
   EXPECT_EQ(toggle_technique("0,3 1,2", 1, 2), "0,3");
   EXPECT_EQ(toggle_technique("1,* 0,3", 1, 2), "0,3");
+}
+
+// Messages name parameters as the panels do, also those of an integrator, and of another one than the document's.
+TEST(LabelledMessages, NameTheParametersOfTheIntegrator) {
+  const render::Document d = *render::new_document("cornell");
+  const auto message = viewer::with_labels(d, "radiosity: the surface is not diffuse; set radiosity.surfaces to approximate");
+  EXPECT_EQ(message.text.find("radiosity."), std::string::npos) << message.text;
+  EXPECT_TRUE(message.text.starts_with("Radiosity: ")) << message.text;
+  EXPECT_TRUE(message.parameters.empty()) << "the document has no such parameter";
+  const auto chosen = *render::with_text(d, "render.integrator", "radiosity");
+  EXPECT_EQ(viewer::with_labels(chosen, "radiosity: set radiosity.surfaces").parameters,
+            std::vector<std::string>{"radiosity.surfaces"});
 }
 
 }  // namespace

@@ -55,8 +55,7 @@ void toggle_denoised(AppState& state) {
 
 void fit_image_to_viewport(AppState& state) {
   render::Document changed = state.document();
-  changed.width = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.x));
-  changed.height = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.y));
+  fit_image(changed, state.viewport.region.size);
   state.edit(std::move(changed), "Image size");
 }
 

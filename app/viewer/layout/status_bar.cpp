@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/session.h"
 #include "render/shared_sampling.h"
@@ -23,6 +24,7 @@ namespace etendue::viewer {
 namespace {
 
 constexpr double kMaxPrediction = 100 * 3600;  // seconds
+constexpr float kSameScale = 0.01f;            // smaller differences from 100 % are not worth a note
 
 // "0:42 to 0:54 left": the prediction interval, or the prediction if the interval is shorter than a second.
 std::string remaining_time(const render::Prediction& prediction) {
@@ -96,14 +98,23 @@ class StatusLine {
     ImGui::EndPopup();
   }
 
-  // The scale of the image. A click fits it into the viewport.
+  // The scale of the image. A click fits it into the viewport: the enlarged part, or the resolution of the whole image.
   void add_zoom() {
+    const bool is_fitted = state_.viewport.zoom.is_fitted();
     const std::string text = formatted("%.0f %%", 100 * static_cast<double>(current_scale(state_)));
     if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
     ImGui::TextUnformatted(text.c_str());
     state_.ui.items.add("status.zoom");
-    if (ImGui::IsItemHovered()) tooltip(state_.ui, "Zoom of the image. Click to fit it into the viewport");
-    if (ImGui::IsItemClicked()) set_scale(state_, 0);
+    if (ImGui::IsItemHovered())
+      tooltip(state_.ui,
+              is_fitted ? "Zoom of the image, whose resolution is not that of the viewport. Click to render it in the "
+                          "resolution of the viewport"
+                        : "Zoom of the image. Click to fit it into the viewport");
+    if (!ImGui::IsItemClicked()) return;
+    if (is_fitted)
+      state_.actions.find("view.fit")->run(state_);
+    else
+      set_scale(state_, 0);
   }
 
   // The number of invalid samples. A click opens the Reliability panel.
@@ -184,18 +195,20 @@ void draw_parts(AppState& state, StatusLine& line) {
     line.add("Automatic: " + integrator_label(state.document().method.integrator),
              automatic.is_pending() ? "The integrator is chosen automatically when the image has rested for a moment"
                                     : ("Chosen automatically: " + automatic.reason).c_str());
-  line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
-           ("Samples per pixel\n" + details).c_str());
-  if (!state.viewport.zoom.is_fitted()) line.add_zoom();
+  if (status.incompatibility.empty())
+    line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
+             ("Samples per pixel\n" + details).c_str());
+  if (!state.viewport.zoom.is_fitted() || std::abs(current_scale(state) - 1) > kSameScale) line.add_zoom();
   line.add(clock_text(status.seconds), "Rendering time of this image");
   if (status.time_left && !status.finished)
     line.add(remaining_time(*status.time_left),
              "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
   line.add_error(error_text(status), status.measure);
   if (status.focus && status.focus->error.known)
-    line.add("region " + film::error_text(status.measure, status.focus->error.value),
-             formatted("The same error of the region of interest, which has %u samples per pixel", status.focus->samples)
-                 .c_str());
+    line.add(
+        "region " + film::error_text(status.measure, status.focus->error.value),
+        formatted("The same error of the region of interest, which has %u samples per pixel", status.focus->samples)
+            .c_str());
   if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0) line.add_invalid(status.rejected.total());
   if (state.options.sharing) add_ranks(line, state.options.sharing->status());
@@ -226,7 +239,10 @@ void draw_status_bar(AppState& state, float top, float height) {
     const double progress = state.session->status().progress;
     if (progress > 0) {
       const ImVec2 size{ImGui::GetFontSize() * 6, ImGui::GetFontSize() * 0.9f};
+      // Without padding, which would move the text beside the bar downwards.
+      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
       ImGui::ProgressBar(static_cast<float>(progress), size, "");
+      ImGui::PopStyleVar();
       ImGui::SameLine();
     }
     StatusLine line(state, width - 10);

@@ -147,11 +147,12 @@ std::string end_error_text(film::ErrorMeasure measure, double error) {
   return measure == film::ErrorMeasure::rmse ? formatted("%.3g", error) : formatted("%.3g %%", 100 * error);
 }
 
-void value_cells(const UiContext& ui, const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
+void value_cells(const AppState& state, const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
                  metrics::Abscissa axis, film::ErrorMeasure measure) {
+  const UiContext& ui = state.ui;
   if (!method.incompatibility.empty()) {
     cell("n/a");
-    if (ImGui::IsItemHovered()) tooltip(ui, method.incompatibility);
+    if (ImGui::IsItemHovered()) tooltip(ui, with_labels(state.document(), method.incompatibility).text);
     for (size_t i = 1; i < kValueColumns; ++i) cell("");
     return;
   }
@@ -276,7 +277,7 @@ class ConvergencePanel final : public Panel {
       }
       for (size_t row = 0; row < task_.parameters.methods.size(); ++row) {
         ImGui::PushID(static_cast<int>(row));
-        if (draw_method(state.ui, row)) removed = row;
+        if (draw_method(state, row)) removed = row;
         ImGui::PopID();
       }
       ImGui::EndTable();
@@ -287,7 +288,8 @@ class ConvergencePanel final : public Panel {
   }
 
   // Returns true if the method is to be removed.
-  bool draw_method(UiContext& ui, size_t row) {
+  bool draw_method(AppState& state, size_t row) {
+    UiContext& ui = state.ui;
     auto& parameters = task_.parameters;
     const std::string& spec = parameters.methods[row];
     ImGui::TableNextRow();
@@ -301,7 +303,7 @@ class ConvergencePanel final : public Panel {
     draw_wrapped(method_label(spec));
     if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
     if (index)
-      value_cells(ui, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);
+      value_cells(state, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);
     else
       for (size_t i = 0; i < kValueColumns; ++i) cell("");
     ImGui::TableNextColumn();

@@ -95,8 +95,10 @@ std::string describe_expression(const std::string& expression) {
   return text;
 }
 
+float share_width() { return ImGui::GetFontSize() * 13; }
+
 // A bar with the percentage next to it.
-void share_bar(const UiContext& ui, double share, float width) {
+void share_bar(const UiContext& ui, double share, const std::string& text, float width) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   const float bar_width = width - ImGui::GetFontSize() * 4.8f;
@@ -106,7 +108,6 @@ void share_bar(const UiContext& ui, double share, float width) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({corner.x, top}, {corner.x + bar_width, bottom}, ImGui::GetColorU32(ImGuiCol_FrameBg));
   draw->AddRectFilled({corner.x, top}, {corner.x + bar_width * filled, bottom}, ImGui::GetColorU32(ui.theme.accent));
-  const std::string text = advisor::percent(share);
   draw->AddText({corner.x + width - ImGui::CalcTextSize(text.c_str()).x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
                 text.c_str());
   ImGui::Dummy({width, height});
@@ -126,9 +127,10 @@ void found_cell(const UiContext& ui, Found found) {
   ImGui::TextColored(ui.theme.warning, found == Found::part ? "in part" : "no");
 }
 
-void share_and_luminance_cells(const UiContext& ui, const advisor::ClassRow& row, float bar_width) {
+void share_and_luminance_cells(const UiContext& ui, const advisor::ClassRow& row, const std::string& share,
+                               float bar_width) {
   ImGui::TableNextColumn();
-  share_bar(ui, row.share, bar_width);
+  share_bar(ui, row.share, share, bar_width);
   ImGui::TableNextColumn();
   luminance_cell(ui, row.energy);
   ImGui::TableNextColumn();
@@ -228,15 +230,15 @@ class PathsPanel final : public Panel {
  private:
   static void draw_table(AppState& state, const PathClasses& classes) {
     const float em = ImGui::GetFontSize();
-    const float bar_width = em * 13;
     const advisor::ClassTable& table = classes.table;
     const IntegratorCoverage& coverage = state.tasks.path_classes->coverage(state.task_context);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.5f, std::floor(em * 0.12f)});
     if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)),
                           ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
       draw_header(state.ui);
-      for (size_t i = 0; i < table.rows.size(); ++i) draw_row(state, table.rows[i], i, coverage.rows[i], bar_width);
-      draw_total(state.ui, table, coverage.missing_paths.share, bar_width);
+      const std::vector<std::string> shares = advisor::percents(table.shares());
+      for (size_t i = 0; i < table.rows.size(); ++i) draw_row(state, i, table.rows[i], shares[i], coverage.rows[i]);
+      draw_total(state.ui, table, coverage.missing_paths.share);
       ImGui::EndTable();
     }
     ImGui::PopStyleVar();
@@ -255,7 +257,8 @@ class PathsPanel final : public Panel {
     }
   }
 
-  static void draw_row(AppState& state, const advisor::ClassRow& row, size_t index, Found found, float bar_width) {
+  static void draw_row(AppState& state, size_t index, const advisor::ClassRow& row, const std::string& share,
+                       Found found) {
     const bool selected = state.document().method.paths == row.paths;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -263,16 +266,16 @@ class PathsPanel final : public Panel {
                                            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
     state.ui.items.add("paths.row." + std::to_string(index));
     if (ImGui::IsItemHovered()) tooltip(state.ui, row.paths + ": " + describe_expression(row.paths));
-    share_and_luminance_cells(state.ui, row, bar_width);
+    share_and_luminance_cells(state.ui, row, share, share_width());
     found_cell(state.ui, found);
     if (clicked) state.set_parameter(kPathFilter, selected ? std::string() : row.paths);
   }
 
-  static void draw_total(const UiContext& ui, const advisor::ClassTable& table, double missing_share, float bar_width) {
+  static void draw_total(const UiContext& ui, const advisor::ClassTable& table, double missing_share) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("all paths");
-    share_and_luminance_cells(ui, table.total, bar_width);
+    share_and_luminance_cells(ui, table.total, advisor::percent(table.total.share), share_width());
     if (missing_share > 0)
       ImGui::TextColored(ui.theme.warning, "%s", advisor::percent(1 - missing_share).c_str());
     else

@@ -6,6 +6,7 @@
 #include "render/session.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/status_icon.h"
@@ -16,9 +17,11 @@ namespace {
 
 using Count = unsigned long long;
 
-void verdict_line(const UiContext& ui, const render::Status& status) {
+void verdict_line(const AppState& state, const render::Status& status) {
+  const UiContext& ui = state.ui;
   const render::Reliability* reliability = status.reliability.get();
-  if (!status.incompatibility.empty()) return warning(ui, "There is no image to assess: " + status.incompatibility);
+  if (!status.incompatibility.empty())
+    return warning(ui, "There is no image to assess: " + with_labels(state.document(), status.incompatibility).text);
   if (!reliability)
     return note(
         ui, "Not known yet: the first assessment needs about ten samples per pixel and an image that is not black.");
@@ -37,9 +40,10 @@ void error_values(const UiContext& ui, const render::Status& status) {
   if (status.measure != film::ErrorMeasure::rmse) {
     const film::MeasuredError& e = status.measured_error;
     const auto text = [&](double value) { return film::error_text(status.measure, value); };
-    labelled_value(ui, Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(status.measure)].label,
-                   e.known ? text(e.value) + " (" + text(e.interval.low) + " to " + text(e.interval.high) + ")" : unknown,
-                   film::measure_description(status.measure));
+    labelled_value(
+        ui, Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(status.measure)].label,
+        e.known ? text(e.value) + " (" + text(e.interval.low) + " to " + text(e.interval.high) + ")" : unknown,
+        film::measure_description(status.measure));
   }
   labelled_value(
       ui, "RMSE",
@@ -87,7 +91,7 @@ class ReliabilityPanel final : public Panel {
   void draw(AppState& state) override {
     const UiContext& ui = state.ui;
     const render::Status status = state.session->status();
-    verdict_line(ui, status);
+    verdict_line(state, status);
     ImGui::Spacing();
     if (!ImGui::BeginTable("##reliability", 2, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableNextColumn();

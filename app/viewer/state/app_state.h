@@ -28,6 +28,7 @@
 #include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/first_view.h"
 #include "viewer/viewport/focus_region.h"
+#include "viewer/viewport/image_fit.h"
 #include "viewer/viewport/image_zoom.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/viewport/timeline.h"
@@ -80,6 +81,7 @@ struct ClickTool {
 struct ViewportState {
   Placement region;  // of the window that is left for the image
   ImageZoom zoom;
+  ImageFit fit;
   Placement image;                             // that the whole image fills; beyond the region if it is enlarged
   std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
   Darkness darkness = Darkness::none;          // of the frame

@@ -96,10 +96,15 @@ std::string integrator_label(const std::string& name) {
 LabelledMessage with_labels(const render::Document& document, const std::string& message) {
   LabelledMessage labelled{.text = message};
   std::string& text = labelled.text;
-  const std::string integrator = document.method.integrator;
-  if (text.starts_with(integrator + ": ")) text.replace(0, integrator.size(), integrator_label(integrator));
-  for (const char* section : {"camera", "film", "render"})
-    for (const auto& parameter : render::section_parameters(document, section)) {
+  // The integrator of a comparison need not be that of the document.
+  render::Document named = document;
+  if (const std::string prefix = text.substr(0, text.find(": ")); integrator::find_integrator(prefix)) {
+    text.replace(0, prefix.size(), integrator_label(prefix));
+    named.method.integrator = prefix;
+  }
+  for (const std::string& section :
+       {std::string("camera"), std::string("film"), std::string("render"), named.method.integrator})
+    for (const auto& parameter : render::section_parameters(named, section)) {
       const std::string& name = parameter.info.name;
       const size_t at = text.find(name);
       if (at == std::string::npos) continue;
@@ -107,7 +112,7 @@ LabelledMessage with_labels(const render::Document& document, const std::string&
       const size_t end = at + name.size();
       if (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-')) continue;
       text.replace(at, name.size(), parameter.info.label);
-      labelled.parameters.push_back(name);
+      if (document_parameter(document, name)) labelled.parameters.push_back(name);
     }
   return labelled;
 }

@@ -146,14 +146,14 @@ void ConvergenceTask::update(const TaskContext& context, Comparison& comparison)
   }
   const bool done = snapshot_->phase == bench::LiveBenchmarkSnapshot::Phase::done;
   if (running_ && snapshot_ != resumed_from_ && done) finish(context);
-  if (is_new || images_requested_) show_images(comparison);
+  if (is_new || images_requested_) show_images(comparison, context.editor.document());
   // The viewport is split once, as soon as both images exist. The user may then leave the split view.
   if (!images_requested_ || !comparison.a.frame || !comparison.b.frame) return;
   images_requested_ = false;
   if (comparison.mode == CompareMode::off) comparison.mode = CompareMode::wipe;
 }
 
-void ConvergenceTask::show_images(Comparison& comparison) const {
+void ConvergenceTask::show_images(Comparison& comparison, const render::Document& document) const {
   const auto side = [&](size_t method) {
     const auto index = method < parameters.methods.size() ? index_in_result(parameters.methods[method]) : std::nullopt;
     if (!index) return Side{};
@@ -162,7 +162,7 @@ void ConvergenceTask::show_images(Comparison& comparison) const {
       return Side{.name = short_method_name(standing.name),
                   .label = method_label(standing.name),
                   .frame = nullptr,
-                  .unavailable = standing.incompatibility};
+                  .unavailable = with_labels(document, standing.incompatibility).text};
     if (!standing.frame) return Side{};
     const std::string samples = formatted(", %u spp", standing.frame->samples);
     return Side{.name = short_method_name(standing.name) + samples,

@@ -130,7 +130,7 @@ class ConvergenceTask final : public Task {
   void set_running(const TaskContext& context);
   void finish(const TaskContext& context);
   void discard_benchmark(const TaskContext& context);
-  void show_images(Comparison& comparison) const;
+  void show_images(Comparison& comparison, const render::Document& document) const;
 
   std::unique_ptr<bench::LiveBenchmark> benchmark_;
   std::shared_ptr<const bench::LiveBenchmarkSnapshot> snapshot_;

@@ -54,7 +54,7 @@ std::vector<ParameterInfo> RecommendationTask::describe_parameters(const render:
       {kMinError, kMaxError},
       "Error to reach, in the measure chosen under Stop at. Integrators are ranked by the time to reach it. Relative and "
       "displayed errors are fractions: 0.01 is 1 %",
-      "",
+      document && document->limits.measure != film::ErrorMeasure::rmse ? "fraction" : "",
       Scale::logarithmic};
   return {describe(error), describe(parameters.pilot)};
 }

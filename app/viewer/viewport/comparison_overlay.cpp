@@ -178,7 +178,10 @@ void draw_comparison_overlay(const AppState& state, ImDrawList* draw) {
   if (state.shows_aov()) return;
   if (c.reference_is_shown()) return draw_corner_labels(state, draw, {"Reference  " + c.reference.label});
   if (c.mode == CompareMode::off) return;
-  if (const std::string problem = c.problem(); !problem.empty()) return draw_corner_labels(state, draw, {problem});
+  if (const std::string problem = c.problem(); !problem.empty()) {
+    const float width = state.viewport.visible_image().size.x - 1.2f * ImGui::GetFontSize();
+    return draw_corner_labels(state, draw, {wrapped_label(problem, width)});
+  }
   if (shows_divider(state)) {
     draw_divider(state, draw);
     draw_side_titles(state, draw);

@@ -1,6 +1,5 @@
 #include "viewer/viewport/dark_image.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/automatic_exposure.h"
@@ -12,8 +11,7 @@ namespace etendue::viewer {
 namespace {
 
 constexpr uint32_t kMinSamples = 8;
-constexpr float kBlack = 0.008f;       // displayed luminance, 23 of 255
-constexpr float kDarkestShare = 0.5f;  // of the surfaces that are visible
+constexpr float kBlack = 0.008f;  // displayed luminance, 23 of 255
 
 }  // namespace
 
@@ -25,10 +23,14 @@ Darkness find_darkness(const render::Document& document, const scene::CompiledSc
     const Environment& environment = document.scene->environment;
     return environment.black() || !environment.visible ? Darkness::no_surfaces : Darkness::none;
   }
-  const float limit = kBlack / std::exp2(document.display.exposure);
-  const auto black = std::ranges::lower_bound(luminances, limit) - luminances.begin();
-  const bool dark = static_cast<float>(black) > kDarkestShare * static_cast<float>(luminances.size());
+  const bool dark = document.display.exposure < lowest_exposure(luminances);
   return dark ? Darkness::surfaces_are_black : Darkness::none;
+}
+
+float lowest_exposure(std::span<const float> luminances) {
+  if (luminances.empty()) return -INFINITY;
+  const float median = luminances[luminances.size() / 2];
+  return median > 0 ? std::log2(kBlack / median) : INFINITY;
 }
 
 }  // namespace etendue::viewer

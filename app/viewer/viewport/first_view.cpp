@@ -1,6 +1,8 @@
 #include "viewer/viewport/first_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "camera/camera_ray.h"
 #include "render/automatic_exposure.h"
@@ -50,12 +52,20 @@ void adjust_camera(AppState& state, const scene::CompiledScene& scene) {
   state.editor->amend(std::move(changed));
 }
 
+// Between the two exposures: bright surfaces may stay clipped so that most of the others are not black.
+float lowered_exposure(float current, float wanted, std::span<const float> luminances) {
+  const float least = std::ceil(2 * lowest_exposure(luminances)) / 2;
+  return std::clamp(least, wanted, current);
+}
+
 void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const render::Frame& frame) {
   const render::Document& document = state.document();
   const auto luminances = render::surface_luminances(document, scene, *frame.pixels);
   if (!render::exposure_is_unsuitable(luminances, document.display.exposure)) return;
   auto exposure = render::automatic_exposure(luminances);
   if (!exposure) return;
+  if (*exposure < document.display.exposure)
+    exposure = lowered_exposure(document.display.exposure, *exposure, luminances);
   const Environment& environment = document.scene->environment;
   const bool is_limited = environment.backdrop && !environment.visible && *exposure > kMaxExposureOfBackdrop;
   if (is_limited) exposure = kMaxExposureOfBackdrop;
@@ -63,8 +73,9 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
   render::Document changed = document;
   changed.display.exposure = *exposure;
   state.editor->amend(std::move(changed));
-  const char* format = is_limited ? "Exposure set to %+.1f EV for dark surfaces. A higher one would make the backdrop white."
-                                  : "Exposure set to %+.1f EV, so that the surfaces are neither dark nor clipped.";
+  const char* format = is_limited
+                           ? "Exposure set to %+.1f EV for dark surfaces. A higher one would make the backdrop white."
+                           : "Exposure set to %+.1f EV to suit the luminance of the surfaces.";
   state.notices.add_message(formatted(format, static_cast<double>(*exposure)));
 }
 

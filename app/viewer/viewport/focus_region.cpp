@@ -7,6 +7,7 @@
 
 #include "render/session.h"
 #include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/value_text.h"
@@ -71,7 +72,7 @@ void draw_label_window(AppState& state, const Placement& rectangle) {
   action_button(state, "view.clear-region");
   if (status.focus && !status.focus->incompatibility.empty()) {
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * kNoteWidth);
-    warning(state.ui, "The whole image is sampled. " + status.focus->incompatibility + ".");
+    warning(state.ui, "The whole image is sampled. " + with_labels(state.document(), status.focus->incompatibility).text + ".");
     ImGui::PopTextWrapPos();
   }
   ImGui::End();

@@ -224,6 +224,18 @@ void extend_selection_at(AppState& state, Vec2 position) {
   if (const auto picked = pick_at(state, position)) toggle_selected(state, picked->node, picked->material);
 }
 
+namespace {
+
+// The camera looks at something else: the focus of a pinhole and its near plane follow.
+void use_view(AppState& state, const Camera& camera, const scene::CompiledScene& scene, const char* name) {
+  render::Document changed = state.document();
+  changed.camera = camera;
+  if (camera.lens_radius == 0) changed.camera.focus_distance = Camera{}.focus_distance;
+  state.edit_camera(camera_for_navigation(changed, scene), name);
+}
+
+}  // namespace
+
 void frame_scene(AppState& state) {
   const auto scene = state.session->scene();
   if (!state.has_document() || !scene) return;
@@ -232,7 +244,7 @@ void frame_scene(AppState& state) {
   const Camera framed = state.viewport.camera_controller.frame(d.camera, scene->bounds(), aspect);
   const Camera lit = lit_camera(*scene, framed, aspect);
   state.viewport.pivot_is_outdated = !(lit == framed);
-  state.edit_camera(lit, "Frame all");
+  use_view(state, lit, *scene, "Frame all");
 }
 
 void reset_view(AppState& state) {
@@ -253,7 +265,7 @@ void frame_selection(AppState& state) {
   if (bounds.empty()) return frame_scene(state);
   const auto& d = state.document();
   const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
-  state.edit_camera(state.viewport.camera_controller.frame(d.camera, bounds, aspect), "Frame selection");
+  use_view(state, state.viewport.camera_controller.frame(d.camera, bounds, aspect), *scene, "Frame selection");
 }
 
 }  // namespace etendue::viewer

@@ -63,9 +63,7 @@ float slider_position(const ParameterInfo& info, double value) {
 void draw_filled_frame(ImVec2 corner, ImVec2 opposite, float position, bool is_hovered, bool is_active) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
-  const ImGuiCol frame = is_active    ? ImGuiCol_FrameBgActive
-                         : is_hovered ? ImGuiCol_FrameBgHovered
-                                      : ImGuiCol_FrameBg;
+  const ImGuiCol frame = is_active ? ImGuiCol_FrameBgActive : is_hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
   list.AddRectFilled(corner, opposite, ImGui::GetColorU32(frame), rounding);
   const ImVec2 end{std::round(corner.x + (opposite.x - corner.x) * position), opposite.y};
   if (end.x <= corner.x) return;
@@ -105,21 +103,31 @@ bool text_input(ImGuiID id, ImGuiDataType type, void* value, const char* format,
          ImGui::TempInputScalar(box, id, "##", type, value, format, min, max);
 }
 
-// Angles are in radians everywhere except on screen.
-constexpr double kDegrees = 180 / std::numbers::pi;
+// Angles are in radians and errors are fractions everywhere except on screen.
+struct ScreenUnit {
+  const char *unit, *shown;
+  double factor;
+};
+constexpr ScreenUnit kScreenUnits[] = {{"rad", "\u00b0", 180 / std::numbers::pi}, {"fraction", "%", 100}};
 
-ParameterInfo in_degrees(ParameterInfo info) {
-  info.unit = "\u00b0";
-  info.min *= kDegrees;
-  info.max *= kDegrees;
-  if (auto* value = std::get_if<double>(&info.default_value)) *value *= kDegrees;
+// Null for units that are shown as they are.
+const ScreenUnit* screen_unit(const ParameterInfo& info) {
+  const auto* const found = std::ranges::find(kScreenUnits, info.unit, &ScreenUnit::unit);
+  return found == std::end(kScreenUnits) ? nullptr : found;
+}
+
+ParameterInfo converted(ParameterInfo info, const ScreenUnit& unit) {
+  info.unit = unit.shown;
+  info.min *= unit.factor;
+  info.max *= unit.factor;
+  if (auto* value = std::get_if<double>(&info.default_value)) *value *= unit.factor;
   return info;
 }
 
-WidgetEdit angle_widget(const ParameterInfo& info) {
-  WidgetEdit edit = number_widget(in_degrees(info));
+WidgetEdit converted_widget(const ParameterInfo& info, const ScreenUnit& unit) {
+  WidgetEdit edit = number_widget(converted(info, unit));
   if (edit.value)
-    if (auto* value = std::get_if<double>(&*edit.value)) *value /= kDegrees;
+    if (auto* value = std::get_if<double>(&*edit.value)) *value /= unit.factor;
   return edit;
 }
 
@@ -153,13 +161,13 @@ void label_column(const std::string& label) {
 }
 
 std::string range_text(const ParameterInfo& info) {
-  if (info.unit == "rad") return range_text(in_degrees(info));
+  if (const ScreenUnit* unit = screen_unit(info)) return range_text(converted(info, *unit));
   const std::string range = formatted("%.4g to %.4g", info.min, info.max);
   return info.unit.empty() ? range : range + " " + info.unit;
 }
 
 WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
-  if (info.unit == "rad") return angle_widget(info);
+  if (const ScreenUnit* unit = screen_unit(info)) return converted_widget(info, *unit);
   WidgetEdit edit;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};

@@ -1,5 +1,7 @@
 #include "viewer/widgets/scale_bar.h"
 
+#include <algorithm>
+
 #include "viewer/widgets/ui_context.h"
 
 namespace etendue::viewer {
@@ -50,6 +52,20 @@ void draw_scale_bar(const UiContext& ui, ImDrawList* draw, const Placement& imag
 Vec2 label_size(const std::string& text) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   return Vec2(size.x, size.y) + 2.0f * label_padding();
+}
+
+std::string wrapped_label(const std::string& text, float width) {
+  const float room = std::max(width - 2 * label_padding().x, ImGui::GetFontSize());
+  std::string wrapped;
+  for (const char *line = text.c_str(), *end = line + text.size(); line < end;) {
+    const char* next = ImGui::GetFont()->CalcWordWrapPositionA(1, line, end, room);
+    if (next == line) ++next;  // not even one character fits
+    if (!wrapped.empty()) wrapped += '\n';
+    wrapped.append(line, next);
+    while (next < end && *next == ' ') ++next;
+    line = next;
+  }
+  return wrapped;
 }
 
 Vec2 draw_label(ImDrawList* draw, Vec2 corner, const std::string& text) {

@@ -19,5 +19,7 @@ void draw_scale_bar(const UiContext& ui, ImDrawList* draw, const Placement& imag
 // Text on a background that is legible over any image. `corner` is the upper left one. Returns the size.
 Vec2 draw_label(ImDrawList* draw, Vec2 corner, const std::string& text);
 Vec2 label_size(const std::string& text);
+// The text with line breaks between words, so that its label is not wider than this.
+std::string wrapped_label(const std::string& text, float width);
 
 }  // namespace etendue::viewer

@@ -105,6 +105,7 @@ EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(en
   prepare_map();
   prepare_sun(tint);
   prepare_densities();
+  prepare_backdrop();
 }
 
 void EnvironmentMap::prepare_map() {
@@ -262,14 +263,6 @@ EnvironmentMap::Value EnvironmentMap::value(const Vec3& direction, bool compensa
   if (!sun_) return map;
   return {map.radiance + sun_->radiance(direction),
           mix(map.pdf_solid_angle, sun_->pdf(direction), density.sun_probability)};
-}
-
-Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
-  if (!shows_backdrop()) return radiance(direction);
-  // The mean radiance is about that of a white surface. 18 % of it, the middle grey of photography, is at the horizon.
-  constexpr float kBelow = 0.06f, kAbove = 0.3f;
-  const float t = std::clamp(0.5f + 0.8f * direction.y, 0.0f, 1.0f);
-  return Rgb(luminance(mean_) * mix(kBelow, kAbove, t * t * (3 - 2 * t)));
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u, bool compensated) const {

@@ -41,8 +41,8 @@ class EnvironmentMap {
     float pdf_solid_angle;
   };
   Value value(const Vec3& direction, bool compensated = false) const;
-  // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above that is
-  // darker than a white or light grey surface in this environment, and brighter than a black one. It emits no light.
+  // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above. It has
+  // 12 to 36 % of the radiance of a white diffuse surface that faces the light of this environment, and emits no light.
   Rgb seen_radiance(const Vec3& direction) const;
   const EmissionSpectrum* seen_spectrum() const { return shows_backdrop() ? nullptr : spectrum(); }
   bool shows_backdrop() const { return !environment_.visible && environment_.backdrop; }
@@ -63,6 +63,7 @@ class EnvironmentMap {
   void prepare_map();
   void prepare_sun(const Rgb& tint);
   void prepare_densities();
+  void prepare_backdrop();
   float weight(const Rgb& texel, float sine) const { return luminance(texel) * sine / largest_weight_; }
   float total_weight() const;
 
@@ -93,6 +94,7 @@ class EnvironmentMap {
   Rgb mean_{0};
   Density full_, compensated_;
   float compensated_share_ = 0;
+  float brightest_white_ = 0;  // the largest luminance of a white diffuse surface; for the backdrop
 };
 
 }  // namespace etendue

@@ -35,6 +35,7 @@ TEST_F(CliAdvice, RanksForARelativeErrorWithinATime) {
   for (const auto& method : j["methods"])
     if (!method["pilot"].is_null()) pilots += method["pilot"]["seconds"].get<double>();
   EXPECT_GT(pilots, 0);
+  EXPECT_LT(pilots, 2.5);
   const Outcome text = run("advise cornell --size 24x24 --error 0.2 --error-measure relative --time 1");
   EXPECT_NE(text.out.find("time to relative error 20 %"), std::string::npos) << text.out;
 }

@@ -183,6 +183,27 @@ TEST(Certify, ReportsUndecidableCases) {
   EXPECT_GT(result.seconds_needed, result.seconds);
 }
 
+// An error needs two samples per pixel; an image with one states none, which is no contradiction.
+TEST(Certify, AnImageOfOneSampleIsUndecided) {
+  const CertificationResult result = certification(certified_image(cornell(32), 1));
+  EXPECT_EQ(result.verdict, Verdict::undecided);
+  ASSERT_EQ(result.reasons.size(), 1u);
+  EXPECT_NE(result.reasons[0].find("one sample per pixel"), std::string::npos) << result.reasons[0];
+}
+
+// The comparison waits for the next doubling of the samples; the announced time counts with it.
+TEST(Certify, TheSamplesOfTheImageAreDoubledUp) {
+  double announced = 0;
+  advisor::CertifyOptions options;
+  options.seconds = 100;
+  options.on_estimate = [&](double seconds) { announced = seconds; };
+  render::Session session({1});
+  const auto result = advisor::certify(session, certified_image(cornell(32), 20), options, never_cancel);
+  EXPECT_EQ(result.verdict, Verdict::confirmed) << text_of(result);
+  EXPECT_GE(result.samples, 32u);
+  EXPECT_GT(announced, 0);
+}
+
 // The error of a known image. The noise of the reference rendering is not subtracted.
 TEST(TrueError, WorksWithoutAnExactReference) {
   const auto d = cornell(32);
