@@ -11,6 +11,7 @@
 #include "interrupt.h"
 #include "json.h"
 #include "metrics/function_chart.h"
+#include "radiosity/mesh_refinement.h"
 #include "radiosity/parameters.h"
 #include "radiosity/reflectance.h"
 #include "radiosity_links.h"
@@ -95,7 +96,7 @@ Result<void> check(const scene::CompiledScene& scene, const radiosity::Parameter
 bool prepare(const scene::CompiledScene& scene, const radiosity::Parameters& parameters,
              const radiosity::SamplerChoice& sampler, const RadiosityArguments& a, Prepared& prepared) {
   const std::atomic<bool>& interrupted = watch_interrupts();
-  prepared.mesh = PatchMesh(scene, parameters.mesh_settings());
+  prepared.mesh = radiosity::complete_mesh(scene, parameters.mesh_settings(), a.seed);
   prepared.reflectance = radiosity::patch_reflectances(scene, prepared.mesh);
   const auto start = std::chrono::steady_clock::now();
   radiosity::SceneSolution solution(parameters.plan(a.seed, sampler), prepared.mesh.element_count());

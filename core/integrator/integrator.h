@@ -91,6 +91,8 @@ class RenderState {
 
   // The phases before the pixels of a sample.
   virtual std::vector<Phase> phases(uint32_t sample) { return (void)sample, std::vector<Phase>(); }
+  // The number of tasks of a phase when it starts, if it was not known before; `planned` is that of `phases`.
+  virtual int task_count(uint32_t sample, size_t phase, int planned) { return (void)sample, (void)phase, planned; }
   virtual std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context);
   // Called after the last task of a phase, while no other task runs.
   virtual void finish(uint32_t sample, size_t phase) { (void)sample, (void)phase; }

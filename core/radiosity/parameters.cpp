@@ -16,8 +16,9 @@ size_t memory_of(size_t patches, const Parameters& parameters, size_t solutions)
   const size_t building = std::max(largest_memory(elements, settings), stored + solver);
   // Direct light, the four members of a field, and what images look up: values at elements or at vertices.
   constexpr size_t kColors = 5 + 2 * 3;
-  return patches * (sizeof(Patch) + PatchVertices::kBytesPerPatch + sizeof(Rgb)) +
-         solutions * elements * kColors * sizeof(Rgb) + (solutions - 1) * stored + building;
+  const size_t mesh = parameters.meshing == Meshing::adaptive ? PatchMesh::kBytesPerRefinedPatch : sizeof(Patch);
+  return patches * (mesh + PatchVertices::kBytesPerPatch + sizeof(Rgb)) + solutions * elements * kColors * sizeof(Rgb) +
+         (solutions - 1) * stored + building;
 }
 
 std::string too_many_patches(const scene::CompiledScene& scene, const Parameters& parameters, size_t solutions) {

@@ -18,8 +18,8 @@ struct Parameters {
       Scale::logarithmic};
   Choice<Meshing> meshing{
       "meshing", "Subdivision", Meshing::area,
-      "How triangles are divided: into patches of similar area, all alike, or with powers of two as parts of "
-      "each edge, which hierarchical form factors need"};
+      "How triangles are divided: into patches of similar area, all alike, with powers of two as parts of each edge, "
+      "which hierarchical form factors need, or finer where direct light varies, as at the edges of shadows"};
   Number<int> steps{
       "steps",
       "Subdivision steps",

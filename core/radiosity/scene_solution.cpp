@@ -34,6 +34,12 @@ int SceneSolution::tasks_of(size_t stage) const {
   return static_cast<int>(FormFactorAssembly::task_count(direct_.size()));
 }
 
+std::vector<const char*> SceneSolution::stage_names() {
+  std::vector<const char*> names;
+  for (size_t stage = 0; stage < kStages; ++stage) names.push_back(name_of(stage, kSolving));
+  return names;
+}
+
 std::vector<SceneSolution::Stage> SceneSolution::stages() const {
   std::vector<Stage> list;
   for (size_t stage = stage_; stage < kStages; ++stage) list.push_back({name_of(stage, kSolving), tasks_of(stage)});

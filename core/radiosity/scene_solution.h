@@ -35,6 +35,10 @@ class SceneSolution {
     const char* name;
     int tasks;
   };
+  // The names of all stages, in their order.
+  static std::vector<const char*> stage_names();
+  // The number of tasks of a stage that is next or later.
+  int tasks_of(size_t stage) const;
   // The stages that have not been completed, in their order.
   std::vector<Stage> stages() const;
   // The number of the first of them.
@@ -68,7 +72,6 @@ class SceneSolution {
   // Rows; the steps of the assembly; the solution.
   static constexpr size_t kSolving = 1 + FormFactorAssembly::kSteps, kStages = kSolving + 1;
 
-  int tasks_of(size_t stage) const;
   std::optional<uint64_t> compute_rows(const scene::CompiledScene& scene, const PatchMesh& mesh, int task,
                                        const KeepGoing* keep_going);
   void begin_assembly(const PatchMesh& mesh);

@@ -136,7 +136,10 @@ void Renderer::plan_step() {
 }
 
 bool Renderer::run_stage(ThreadPool& workers, const StepContext& step, const std::function<bool()>& keep_going) {
-  const Stage& stage = stages_[stage_];
+  Stage& stage = stages_[stage_];
+  // The tasks of a phase may depend on the phases before it.
+  if (stage.kind == Stage::Kind::phase && batch_end_ == 0)
+    stage.tasks = static_cast<size_t>(state_->task_count(sample(), stage.phase, static_cast<int>(stage.tasks)));
   while (!open_tasks_.empty() || batch_end_ < stage.tasks) {
     if (open_tasks_.empty()) begin_batch();
     constexpr size_t kDone = SIZE_MAX;

@@ -40,8 +40,9 @@ std::vector<std::string> percents(std::span<const double> shares) {
     remainder += 100 * shares[i] - whole[i];
   }
   // The largest remainders are rounded up.
-  std::ranges::stable_sort(large, std::greater(), [&](size_t i) { return 100 * shares[i] - whole[i]; });
   constexpr double kRounding = 1e-6;
+  std::ranges::stable_sort(large, std::greater(),
+                           [&](size_t i) { return std::round((100 * shares[i] - whole[i]) / kRounding); });
   for (const size_t i : large)
     if (rounded_up + 1 <= remainder + kRounding) {
       ++whole[i];

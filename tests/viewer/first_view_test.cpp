@@ -151,9 +151,9 @@ TEST_F(FirstView, TheBackdropIsNeitherDarkNorBright) {
   }
 }
 
-// Lamps of their own are bright and light their surroundings little. A lower exposure, which suits the lamps, must not
-// hide the rest.
-TEST_F(FirstView, TheExposureForALampDoesNotHideTheRest) {
+// Emitting surfaces are much brighter than what they illuminate. A lower exposure, which suits them, must not hide the
+// rest.
+TEST_F(FirstView, TheExposureForEmittersDoesNotHideTheRest) {
   const char* data = std::getenv("ETENDUE_TEST_DATA");
   if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
   const std::string file = std::string(data) + "/gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf";

@@ -112,7 +112,8 @@ LabelledMessage with_labels(const render::Document& document, const std::string&
       const size_t end = at + name.size();
       if (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-')) continue;
       text.replace(at, name.size(), parameter.info.label);
-      if (document_parameter(document, name)) labelled.parameters.push_back(name);
+      // The panels show the parameters of the chosen integrator only.
+      if (named.method.integrator == document.method.integrator) labelled.parameters.push_back(name);
     }
   return labelled;
 }

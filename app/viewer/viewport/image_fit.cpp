@@ -46,8 +46,9 @@ void ImageFit::reset(const render::Document& document, bool is_fitted) {
 }
 
 void ImageFit::update(AppState& state) {
-  // What was measured belongs to the present resolution.
-  if (!state.tasks.exclusive->status().empty()) sizes_.clear();
+  // What the user measures belongs to the present resolution; the choice of an integrator does not.
+  const bool is_measuring = state.tasks.exclusive->running();
+  if (is_measuring && !state.document().automatic.is_pending()) sizes_.clear();
   if (const Vec2 size = state.viewport.region.size; size != region_) {
     region_ = size;
     resized_ = render::Clock::now();
@@ -55,7 +56,7 @@ void ImageFit::update(AppState& state) {
   const render::Document& document = state.document();
   const Vec2i size(document.width, document.height);
   if (std::ranges::find(sizes_, size) == sizes_.end() || size == fitted_size(document, region_)) return;
-  if (render::seconds_since(resized_) < kRest || !may_restart(state)) return;
+  if (is_measuring || render::seconds_since(resized_) < kRest || !may_restart(state)) return;
   render::Document changed = document;
   fit_image(changed, region_);
   if (const Vec2i fitted(changed.width, changed.height); std::ranges::find(sizes_, fitted) == sizes_.end())

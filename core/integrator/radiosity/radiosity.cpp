@@ -27,6 +27,7 @@
 #include "integrator/radiosity/solution_display.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_paths.h"
+#include "radiosity/mesh_refinement.h"
 #include "radiosity/parameters.h"
 #include "radiosity/reconstruction.h"
 #include "radiosity/reflectance.h"
@@ -152,38 +153,56 @@ class RadiosityState final : public RenderState {
   RadiosityState(const Radiosity& integrator, const RenderContext& context, const RadiosityState* previous)
       : integrator_(integrator), context_(context), is_refused_(!integrator.incompatibility(context).empty()) {
     if (is_refused_) return;
-    mesh_ = radiosity::PatchMesh(*context.scene, integrator.mesh_settings());
-    reflectance_ = radiosity::patch_reflectances(*context.scene, mesh_);
-    if (integrator.reconstruction == radiosity::Reconstruction::linear) vertices_ = radiosity::PatchVertices(mesh_);
-    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
-      plans_[half] = integrator.plan_for(context, half);
-      if (previous && can_reuse_solution(*previous, half)) {
-        solutions_[half] = previous->solutions_[half];
-      } else {
-        solutions_[half] = std::make_shared<radiosity::SceneSolution>(
-            plans_[half], mesh_.element_count(), previous ? reusable_factors(*previous, half) : nullptr);
-      }
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) plans_[half] = integrator.plan_for(context, half);
+    const radiosity::MeshSettings settings = integrator.mesh_settings();
+    if (settings.meshing != radiosity::Meshing::adaptive) {
+      mesh_ = radiosity::PatchMesh(*context.scene, settings);
+    } else if (previous && can_reuse_mesh(*previous, settings)) {
+      refinement_ = previous->refinement_;
+    } else {
+      refinement_ = std::make_shared<radiosity::MeshRefinement>(*context.scene, settings, context.seed);
     }
+    if (has_mesh()) begin_solutions(previous);
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
     if (is_refused_) return {};
     const uint32_t half = sample % film::kHalfBuffers;
     std::vector<Phase> list;
+    first_round_ = has_mesh() ? 0 : refinement_->round();
+    rounds_ = has_mesh() ? 0 : static_cast<size_t>(radiosity::MeshRefinement::kRounds - first_round_);
+    if (rounds_ > 0) {
+      // The tasks of the stages follow from the mesh.
+      list.assign(rounds_, {"refining the mesh", refinement_->tasks()});
+      for (const char* name : radiosity::SceneSolution::stage_names()) list.push_back({name, 0});
+      first_stage_[half] = 0;
+      return list;
+    }
+    // Another state has refined the mesh.
+    if (!solutions_[half]) begin_solutions(nullptr);
     for (const auto& stage : solution(sample).stages()) list.push_back({stage.name, stage.tasks});
     first_stage_[half] = solution(sample).first_stage();
     // Another state has completed the solution: that of an earlier image, or of a preview.
     if (list.empty() && lookups_[half].at_camera.empty()) prepare_lookup(half);
     return list;
   }
+  int task_count(uint32_t sample, size_t phase, int planned) override {
+    if (phase < rounds_) return is_round_done(phase) ? 0 : refinement_->tasks();
+    return rounds_ > 0 ? solution(sample).tasks_of(stage_of(sample, phase)) : planned;
+  }
   std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
-    const size_t stage = first_stage_[sample % film::kHalfBuffers] + phase;
-    return solution(sample).run_stage(*context_.scene, mesh_, stage, task, task_context.keep_going);
+    if (phase < rounds_)
+      return is_round_done(phase) ? 0 : refinement_->run(*context_.scene, task, task_context.keep_going);
+    return solution(sample).run_stage(*context_.scene, mesh(), stage_of(sample, phase), task, task_context.keep_going);
   }
   void finish(uint32_t sample, size_t phase) override {
-    const uint32_t half = sample % film::kHalfBuffers;
-    solution(sample).complete_stage(mesh_, reflectance_, first_stage_[half] + phase);
-    if (solution(sample).is_ready()) prepare_lookup(half);
+    if (phase < rounds_) {
+      if (!is_round_done(phase)) refinement_->finish_round(*context_.scene);
+      if (has_mesh() && !solutions_[0]) begin_solutions(nullptr);
+      return;
+    }
+    solution(sample).complete_stage(mesh(), reflectance_, stage_of(sample, phase));
+    if (solution(sample).is_ready()) prepare_lookup(sample % film::kHalfBuffers);
   }
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
@@ -198,7 +217,7 @@ class RadiosityState final : public RenderState {
   }
 
   size_t memory() const override {
-    size_t bytes = mesh_.memory() + vertices_.memory() + reflectance_.capacity() * sizeof(Rgb);
+    size_t bytes = mesh().memory() + vertices_.memory() + reflectance_.capacity() * sizeof(Rgb);
     for (const auto& solution : solutions_) bytes += solution ? solution->memory() : 0;
     for (const Lookup& lookup : lookups_)
       bytes += (lookup.at_camera.capacity() + lookup.at_gather.capacity()) * sizeof(Rgb);
@@ -206,13 +225,13 @@ class RadiosityState final : public RenderState {
   }
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
-    if (is_refused_ || !solutions_[0]->is_ready()) return std::make_shared<const std::vector<StoredPoint>>();
-    return patch_points(mesh_, reflectance_, *solutions_[0], kMostPoints);
+    if (!is_ready()) return std::make_shared<const std::vector<StoredPoint>>();
+    return patch_points(mesh(), reflectance_, *solutions_[0], kMostPoints);
   }
 
   std::vector<Statistic> statistics() const override {
-    if (is_refused_ || !solutions_[0]->is_ready()) return {};
-    return solution_statistics(mesh_, vertices_, *solutions_[0]);
+    if (!is_ready()) return {};
+    return solution_statistics(mesh(), vertices_, *solutions_[0]);
   }
 
   std::vector<std::string> notes() const override {
@@ -221,8 +240,8 @@ class RadiosityState final : public RenderState {
     if (const std::string name = radiosity::non_diffuse_material(*context_.scene); !name.empty())
       list.push_back(name + " is not diffuse: radiosity takes all surfaces as diffuse with their base colour");
     for (const auto& solution : solutions_) {
+      if (!solution || !solution->is_ready() || solution->field().problem.empty()) continue;
       const auto& field = solution->field();
-      if (!solution->is_ready() || field.problem.empty()) continue;
       list.push_back("radiosity: " + field.problem +
                      (field.has_diverged ? ". The image shows emitted and direct light only" : ""));
       break;
@@ -231,8 +250,8 @@ class RadiosityState final : public RenderState {
   }
 
   std::shared_ptr<const SolutionView> solution_view() const override {
-    if (is_refused_) return nullptr;
-    auto view = view_of(mesh_, reflectance_, *solutions_[0]);
+    if (!solutions_[0]) return nullptr;
+    auto view = view_of(mesh(), reflectance_, *solutions_[0]);
     view->solver = Options<radiosity::SolverKind>::kOptions[static_cast<size_t>(integrator_.solver.value)].label;
     return view;
   }
@@ -243,21 +262,50 @@ class RadiosityState final : public RenderState {
     std::vector<Rgb> at_camera, at_gather;
   };
 
+  bool is_ready() const { return solutions_[0] && solutions_[0]->is_ready(); }
+  bool has_mesh() const { return !refinement_ || refinement_->is_ready(); }
+  const radiosity::PatchMesh& mesh() const { return refinement_ ? refinement_->mesh() : mesh_; }
+  // Another state may have refined the mesh meanwhile.
+  bool is_round_done(size_t phase) const { return first_round_ + static_cast<int>(phase) < refinement_->round(); }
+  // The stage of the solution that a phase after the rounds of refinement runs.
+  size_t stage_of(uint32_t sample, size_t phase) const {
+    return first_stage_[sample % film::kHalfBuffers] + phase - rounds_;
+  }
+
+  // `previous` may be null.
+  void begin_solutions(const RadiosityState* previous) {
+    reflectance_ = radiosity::patch_reflectances(*context_.scene, mesh());
+    if (integrator_.reconstruction == radiosity::Reconstruction::linear) vertices_ = radiosity::PatchVertices(mesh());
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
+      if (previous && can_reuse_solution(*previous, half)) {
+        solutions_[half] = previous->solutions_[half];
+      } else {
+        solutions_[half] = std::make_shared<radiosity::SceneSolution>(
+            plans_[half], mesh().element_count(), previous ? reusable_factors(*previous, half) : nullptr);
+      }
+    }
+  }
+
   radiosity::SceneSolution& solution(uint32_t sample) { return *solutions_[sample % film::kHalfBuffers]; }
 
   static bool has_same_sampler(const radiosity::SamplerChoice& a, const radiosity::SamplerChoice& b) {
     const auto is_same = [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; };
     return a.name == b.name && std::ranges::equal(a.settings, b.settings, is_same);
   }
+  // A refinement that is not ready is continued.
+  bool can_reuse_mesh(const RadiosityState& previous, const radiosity::MeshSettings& settings) const {
+    return previous.refinement_ && previous.refinement_->is_same(settings, context_.seed) &&
+           context_.scene->same_light(*previous.context_.scene);
+  }
   bool has_same_factors(const RadiosityState& previous, uint32_t half) const {
     const scene::CompiledScene &a = *context_.scene, &b = *previous.context_.scene;
     const bool same_light = a.same_light(b);
     // Opacity and analytic shapes block rays as well.
     const bool same_blockers = same_light || (!a.has_transparency() && !b.has_transparency() &&
-                                              mesh_.quality().shapes == 0 && previous.mesh_.quality().shapes == 0);
+                                              mesh().quality().shapes == 0 && previous.mesh().quality().shapes == 0);
     const radiosity::SolutionPlan &p = plans_[half], &q = previous.plans_[half];
     return same_blockers && p.factors == q.factors && p.seed == q.seed && has_same_sampler(p.sampler, q.sampler) &&
-           mesh_ == previous.mesh_;
+           mesh() == previous.mesh();
   }
   // A solution that is not ready has been started with the same tasks, which run again.
   bool can_reuse_solution(const RadiosityState& previous, uint32_t half) const {
@@ -279,8 +327,8 @@ class RadiosityState final : public RenderState {
     lookup.at_camera = integrator_.gather == RadiosityGather::none ? field.total : field.indirect;
     lookup.at_gather = field.gathered;
     if (vertices_.empty()) return;
-    lookup.at_camera = vertices_.at_vertices(mesh_, lookup.at_camera);
-    lookup.at_gather = vertices_.at_vertices(mesh_, lookup.at_gather);
+    lookup.at_camera = vertices_.at_vertices(mesh(), lookup.at_camera);
+    lookup.at_gather = vertices_.at_vertices(mesh(), lookup.at_gather);
   }
 
   template <class M>
@@ -336,14 +384,17 @@ class RadiosityState final : public RenderState {
     const float a = length_squared(e1), b = glm::dot(e1, e2), c = length_squared(e2);
     const float x = glm::dot(d, e1), y = glm::dot(d, e2), determinant = a * c - b * b;
     const auto instance = static_cast<uint32_t>(point.instance - context_.scene->instances().data());
-    return mesh_.locate(instance, point.triangle, (c * x - b * y) / determinant, (a * y - b * x) / determinant,
-                        point.front);
+    return mesh().locate(instance, point.triangle, (c * x - b * y) / determinant, (a * y - b * x) / determinant,
+                         point.front);
   }
 
   const Radiosity& integrator_;
   const RenderContext context_;
   const bool is_refused_;
-  radiosity::PatchMesh mesh_;
+  radiosity::PatchMesh mesh_;                              // unless it is adaptive
+  std::shared_ptr<radiosity::MeshRefinement> refinement_;  // of an adaptive mesh
+  int first_round_ = 0;
+  size_t rounds_ = 0;                  // of refinement, the first phases of the present sample
   std::vector<Rgb> reflectance_;       // by patch
   radiosity::PatchVertices vertices_;  // empty for constant reconstruction
   std::array<radiosity::SolutionPlan, film::kHalfBuffers> plans_;

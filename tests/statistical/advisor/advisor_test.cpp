@@ -117,7 +117,7 @@ TEST(Advisor, LargeImagesHaveASmallPilot) {
   d.height = 300;
   render::Session session({2});
   const auto pilots =
-      advisor::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, never_cancel);
+      advisor::run_pilots(session, *bench::parse_methods("path", d), {.seconds = 0.05, .target = 1e-3, .max_pixels = 4800}, never_cancel);
   ASSERT_EQ(pilots.pilots.size(), 1u);
   EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
   EXPECT_EQ(pilots.pilots[0].film.height(), 60);

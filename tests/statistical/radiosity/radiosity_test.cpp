@@ -180,6 +180,31 @@ TEST(RadiosityIntegrator, SameBitsForAnyNumberOfThreads) {
     const auto one = test::rendered(d, 3, 1);
     for (const int threads : {2, 7}) EXPECT_TRUE(test::same_bits(one, test::rendered(d, 3, threads))) << gather;
   }
+  const auto adaptive = with(by_radiosity(test::cornell(32)), "radiosity.meshing", "adaptive");
+  EXPECT_TRUE(test::same_bits(test::rendered(adaptive, 3, 1), test::rendered(adaptive, 3, 2)));
+}
+
+// Adaptive meshes put patches where direct light has shadows: with the same number of patches the direct light of the
+// Cornell box has a smaller error, and the mean is that of path tracing.
+TEST(RadiosityIntegrator, AdaptiveMeshesShowShadowsBetter) {
+  const auto d = with(by_radiosity(test::cornell(64)), "radiosity.light-samples", "256");
+  const auto direct = with(d, "film.paths", "EDL");
+  const film::Film reference = test::rendered(with(direct, "render.integrator", "path"), 1024);
+  const auto error = [&](const char* meshing) {
+    const film::Film film = test::rendered(with(direct, "radiosity.meshing", meshing), 64);
+    double sum = 0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const double truth = luminance(reference.mean(x, y)), difference = luminance(film.mean(x, y)) - truth;
+        sum += sqr(difference) / (sqr(truth) + 0.01);
+      }
+    return sum;
+  };
+  EXPECT_LT(error("adaptive"), 0.8 * error("area"));
+  const auto whole = test::cornell(32);
+  expect_whole(
+      measured(with(with(by_radiosity(whole), "radiosity.meshing", "adaptive"), "radiosity.patches", "1500"), 64),
+      measured(with(whole, "film.paths", "ED*L"), 192), 0.01, "adaptive");
 }
 
 // A rendering without a session, to count its phases and rays.
@@ -195,10 +220,17 @@ class Rendering {
     uint64_t rays = 0;
     const auto phases = state_->phases(0);
     for (size_t p = 0; p < phases.size(); ++p) {
-      for (int task = 0; task < phases[p].tasks; ++task) rays += *state_->run(0, p, task, {});
+      const int tasks = state_->task_count(0, p, phases[p].tasks);
+      for (int task = 0; task < tasks; ++task) rays += *state_->run(0, p, task, {});
       state_->finish(0, p);
     }
     return rays;
+  }
+  // A phase of the first sample, as planned before.
+  void run_phase(size_t phase) {
+    const int tasks = state_->task_count(0, phase, 1);
+    for (int task = 0; task < tasks; ++task) EXPECT_TRUE(state_->run(0, phase, task, {}));
+    state_->finish(0, phase);
   }
   // The first sample of 16 x 16 pixels.
   std::vector<Rgb> pixels() {
@@ -238,19 +270,32 @@ TEST(RadiosityIntegrator, ReusesWhatAnEditDoesNotChange) {
     fresh.prepare();
     EXPECT_EQ((*edited.state().points())[7].power, (*fresh.state().points())[7].power) << name;
   }
+  // An adaptive mesh follows the light, but not the camera.
+  const auto adaptive = with(d, "radiosity.meshing", "adaptive");
+  Rendering refined(adaptive);
+  refined.prepare();
+  EXPECT_FALSE(Rendering(with(adaptive, "camera.yfov", "0.5"), &refined).has_phases());
+  const auto other_light = with(adaptive, "material.3.emission.r", "3");
+  EXPECT_EQ(Rendering(other_light, &refined).pixels(), Rendering(other_light).pixels());
   // Another mesh.
   EXPECT_GT(Rendering(with(d, "radiosity.patches", "100"), &first).prepare(), rays / 4);
 }
 
 // After an edit, two states may share a solution that is not ready; either of them completes it for both.
 TEST(RadiosityIntegrator, SharesASolutionThatIsNotReady) {
-  const auto d = with(by_radiosity(test::cornell(16)), "radiosity.patches", "100");
-  auto moved = d;
-  moved.camera.to_world[3].x += 0.1f;
-  Rendering first(d), second(moved, &first);
-  EXPECT_EQ(second.pixels(), Rendering(moved).pixels());
-  EXPECT_FALSE(first.has_phases());
-  EXPECT_EQ(first.pixels(), Rendering(d).pixels());
+  for (const char* meshing : {"area", "adaptive"}) {
+    const auto d =
+        with(with(by_radiosity(test::cornell(16)), "radiosity.patches", "100"), "radiosity.meshing", meshing);
+    auto moved = d;
+    moved.camera.to_world[3].x += 0.1f;
+    Rendering first(d), second(moved, &first);
+    // The phases of the first one are planned before the other one makes them superfluous.
+    const size_t planned = first.remaining_phases();
+    EXPECT_EQ(second.pixels(), Rendering(moved).pixels());
+    for (size_t phase = 0; phase < planned; ++phase) first.run_phase(phase);
+    EXPECT_FALSE(first.has_phases());
+    EXPECT_EQ(first.pixels(), Rendering(d).pixels());
+  }
 }
 
 std::string refusal(const render::Document& d) {
@@ -333,24 +378,28 @@ TEST(RadiosityIntegrator, UsesTheSampler) {
 // Tasks that are stopped and continued, as after an edit of a preview, give the same bits, and a solution that was
 // partly computed for another state is completed.
 TEST(RadiosityIntegrator, CanBeStoppedAtAnyPoint) {
-  const auto d = with(by_radiosity(test::cornell(16)), "radiosity.patches", "300");
-  const auto expected = Rendering(d).pixels();
-  Rendering first(d);
-  int polls = 0;
-  const std::function<bool()> sometimes = [&] { return ++polls % 7 != 0; };
-  integrator::RenderState& state = first.state();
-  const auto phases = state.phases(0);
-  int stopped = 0;
-  for (size_t p = 0; p < phases.size(); ++p) {
-    for (int task = 0; task < phases[p].tasks; ++task)
-      while (!state.run(0, p, task, {.keep_going = &sometimes})) ++stopped;
-    state.finish(0, p);
-    if (p == 1) {
-      EXPECT_LT(Rendering(d, &first).remaining_phases(), phases.size());
+  for (const char* meshing : {"area", "adaptive"}) {
+    const auto d =
+        with(with(by_radiosity(test::cornell(16)), "radiosity.patches", "300"), "radiosity.meshing", meshing);
+    const auto expected = Rendering(d).pixels();
+    Rendering first(d);
+    int polls = 0;
+    const std::function<bool()> sometimes = [&] { return ++polls % 7 != 0; };
+    integrator::RenderState& state = first.state();
+    const auto phases = state.phases(0);
+    int stopped = 0;
+    for (size_t p = 0; p < phases.size(); ++p) {
+      const int tasks = state.task_count(0, p, phases[p].tasks);
+      for (int task = 0; task < tasks; ++task)
+        while (!state.run(0, p, task, {.keep_going = &sometimes})) ++stopped;
+      state.finish(0, p);
+      if (p == 1) {
+        EXPECT_LT(Rendering(d, &first).remaining_phases(), phases.size());
+      }
     }
+    EXPECT_GT(stopped, 10) << meshing;
+    EXPECT_EQ(first.pixels(), expected) << meshing;
   }
-  EXPECT_GT(stopped, 10);
-  EXPECT_EQ(first.pixels(), expected);
 }
 
 // The stated error includes the variance of form factors and direct light: it must not be zero.

@@ -295,7 +295,7 @@ TEST(EnvironmentMap, TheBackdropFollowsTheSun) {
   sun.radiance = Rgb(1e4f);
   e.sun = sun;
   const float irradiance = 1e4f * 2 * kPi * (1 - std::cos(0.01f));
-  EXPECT_NEAR(EnvironmentMap(e).seen_radiance({0, 1, 0}).g, 0.36f * (2 + irradiance / kPi), 0.01f);
+  EXPECT_NEAR(EnvironmentMap(e).seen_radiance({0, 1, 0}).g, 0.36f * 2 * (1 + irradiance / kPi), 0.01f) << "the tint is that of map and sun";
 }
 
 TEST(EnvironmentMap, BlackMapHasNoDensity) {
