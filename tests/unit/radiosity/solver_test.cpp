@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/closed_forms.h"
 #include "radiosity/solvers/shooting.h"
 
 namespace etendue::radiosity {
@@ -302,6 +303,67 @@ TEST(RadiositySolver, UnshotPowerFalls) {
     EXPECT_EQ(s.status, SolverStatus::converged);
     for (size_t i = 0; i <= kSmall; ++i) EXPECT_NEAR(s.radiosity[i], reference.radiosity[i], 1e-9);
   }
+}
+
+// A rectangle with the corner `at` and the edges u and v; its front is on the side of u x v.
+Polygon rectangle(const DVec3& at, const DVec3& u, const DVec3& v) { return {at, at + u, at + u + v, at + v}; }
+
+// The unit cube from inside, with its ceiling divided into 8 x 8 squares. The first five elements are floor and walls.
+FormFactors cube_with_divided_ceiling() {
+  constexpr int kSteps = 8;
+  std::vector<Polygon> sides{rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}), rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+                             rectangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0}), rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                             rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0})};
+  std::vector<double> areas(sides.size(), 1);
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      sides.push_back(rectangle({i / 8.0, 1, j / 8.0}, {1 / 8.0, 0, 0}, {0, 0, 1 / 8.0}));
+      areas.push_back(1 / 64.0);
+    }
+  std::vector<std::vector<double>> f(sides.size(), std::vector<double>(sides.size()));
+  for (size_t i = 0; i < sides.size(); ++i)
+    for (size_t j = 0; j < 5; ++j)
+      if (i != j) {
+        f[i][j] = contour_exchange(sides[i], sides[j]) / areas[i];
+        f[j][i] = areas[i] * f[i][j] / areas[j];
+      }
+  return dense(f, areas);
+}
+
+// With unequal areas, the columns of rho F are not bounded by the reflectance, and the sum of the residuals can grow. The
+// unshot power cannot: a shot takes away the share 1 - rho of the largest of n powers at least.
+TEST(RadiositySolver, TheNormOfSouthwellIsPower) {
+  constexpr double kReflectance = 0.8;
+  const FormFactors factors = cube_with_divided_ceiling();
+  const size_t n = factors.size();
+  double largest_column = 0;
+  for (size_t j = 0; j < n; ++j) {
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) sum += i == j ? 0 : kReflectance * factors.factor(i, j);
+    largest_column = std::max(largest_column, sum);
+    EXPECT_NEAR(factors.closure(j), 1, 1e-6);
+  }
+  EXPECT_NEAR(largest_column, 10.9, 0.05);
+
+  RadiositySystem system{&factors, std::vector<double>(n, kReflectance), std::vector<double>(n, 0)};
+  system.source[0] = 1;
+  Shooting shooting(system);
+  const auto sum_of_residuals = [&] {
+    double sum = 0;
+    for (const double r : shooting.unshot()) sum += std::abs(r);
+    return sum;
+  };
+  double power = shooting.unshot_power(), residuals = sum_of_residuals(), largest_growth = 0;
+  const double first = power;
+  while (power > 1e-8 * first && shooting.shots() < 100'000) {
+    shooting.shoot();
+    EXPECT_LE(shooting.unshot_power(), power * (1 - (1 - kReflectance) / static_cast<double>(n)) * (1 + 1e-6));
+    largest_growth = std::max(largest_growth, sum_of_residuals() / residuals);
+    power = shooting.unshot_power();
+    residuals = sum_of_residuals();
+  }
+  EXPECT_GT(largest_growth, 10) << "the first shot, from the floor, is that of the largest column";
+  EXPECT_LT(largest_growth, largest_column);
 }
 
 }  // namespace
