@@ -53,11 +53,20 @@ struct Environment {
   float rotation = 0;                     // radians
   bool visible = true;                    // to camera rays
   bool backdrop = false;                  // if it is not visible: camera rays see a grey gradient instead of black
+  float backdrop_brightness = 1;          // factor on the gradient
   std::optional<Sky> sky = std::nullopt;  // what the map and the sun were computed from
   std::optional<SunDisk> sun = std::nullopt;
   EmissionSpectrumRef spectrum = {};  // of all light from infinity; its RGB value multiplies the tint
 
   bool black() const { return is_black(tint); }
+  // Takes over what does not belong to a map or a sky: rotation, background and spectrum.
+  void keep_settings_of(const Environment& other) {
+    rotation = other.rotation;
+    visible = other.visible;
+    backdrop = other.backdrop;
+    backdrop_brightness = other.backdrop_brightness;
+    spectrum = other.spectrum;
+  }
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 

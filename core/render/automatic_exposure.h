@@ -1,4 +1,5 @@
-// The luminance of the visible surfaces, and an exposure at which they are neither dark nor clipped.
+// The luminance of the visible surfaces, an exposure at which they are neither dark nor clipped, and their contrast with
+// the backdrop.
 #pragma once
 #include <optional>
 #include <span>
@@ -15,6 +16,11 @@ struct Document;
 // is the mean of three times three pixels. `pixels` is the image of the document: linear radiance, row by row.
 std::vector<float> surface_luminances(const Document& document, const scene::CompiledScene& scene,
                                       std::span<const Rgb> pixels);
+
+// The share of these surfaces that contrast little with the backdrop behind them, with a factor on the brightness of that:
+// whose displayed values differ by less than 30 of 255.
+float share_like_backdrop(const Document& document, const scene::CompiledScene& scene, std::span<const Rgb> pixels,
+                          float factor);
 
 // The exposure in EV that displays the 90th percentile of these luminances at 0.6, in steps of half a stop. Nothing if
 // no surface is bright enough to judge.

@@ -150,6 +150,7 @@ Result<Document> with_environment(const Document& document, const std::string& f
   // A map is a background of its own.
   environment->visible = old.visible || (old.backdrop && !find_builtin_environment(file));
   environment->backdrop = old.backdrop;
+  environment->backdrop_brightness = old.backdrop_brightness;
   Document changed = document;
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   scene->environment = std::move(*environment);

@@ -74,10 +74,7 @@ void select_environment(Environment& environment, const std::string& name) {
   const BuiltinEnvironment* builtin = find_builtin_environment(name);
   if (!builtin && name != kNone) return;
   Environment selected = builtin ? make_environment(*builtin) : Environment{};
-  selected.rotation = environment.rotation;
-  selected.visible = environment.visible;
-  selected.backdrop = environment.backdrop;
-  selected.spectrum = environment.spectrum;
+  selected.keep_settings_of(environment);
   environment = std::move(selected);
 }
 
@@ -108,10 +105,7 @@ void set_sky(Document& document, const Sky& sky) {
   edit_scene(document, [&](scene::Scene& s) {
     Environment made = make_sky(sky);
     made.tint = s.environment.tint;
-    made.rotation = s.environment.rotation;
-    made.visible = s.environment.visible;
-    made.backdrop = s.environment.backdrop;
-    made.spectrum = s.environment.spectrum;
+    made.keep_settings_of(s.environment);
     s.environment = std::move(made);
   });
 }
@@ -242,6 +236,14 @@ DocumentParameters environment_parameters(const Document& document) {
                             "surface, which emits no light. Off: black"},
                      store(&Environment::backdrop)));
   if (e.visible) list.back().inactive_reason = "the environment is visible to the camera";
+  list.push_back(make_parameter(section,
+                                Number<float>{"backdrop-brightness",
+                                              "Backdrop brightness",
+                                              e.backdrop_brightness,
+                                              {0, 10},
+                                              "Factor on the grey backdrop. 1: a middle grey"},
+                                store(&Environment::backdrop_brightness)));
+  if (e.visible || !e.backdrop) list.back().inactive_reason = "the backdrop is not shown";
   list.push_back(make_parameter(
       section, emission_spectrum_parameter("spectrum", e.spectrum), [](Document& d, const std::string& name) {
         edit_scene(d, [&](scene::Scene& s) { s.environment.spectrum = emission_spectrum_or_none(name); });

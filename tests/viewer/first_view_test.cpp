@@ -151,6 +151,25 @@ TEST_F(FirstView, TheBackdropIsNeitherDarkNorBright) {
   }
 }
 
+// Surfaces with the default material of glTF are a middle grey: the backdrop behind them is darker, so that they are seen.
+// That is no edit.
+TEST_F(FirstView, TheBackdropIsDarkBehindGreySurfaces) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  for (const auto& [file, brightness] :
+       {std::pair("SimpleMorph/glTF/SimpleMorph.gltf", 0.25), std::pair("Duck.glb", 1.0)}) {
+    const json steps = json::array({{{"do", "wait"}, {"spp", 8}},
+                                    {{"do", "wait"}, {"seconds", 0.5}},
+                                    {{"do", "wait"}, {"spp", 8}},
+                                    file_step("state", path("s.json"))});
+    ASSERT_EQ(run(steps, std::string(data) + "/gltf/" + file), 0);
+    const json s = state("s.json");
+    EXPECT_EQ(s["parameters"]["environment.backdrop-brightness"], brightness) << file;
+    EXPECT_EQ(s["undo_depth"], 0) << file;
+    EXPECT_EQ(s["edited"], false) << file;
+  }
+}
+
 // Emitting surfaces are much brighter than what they illuminate. A lower exposure, which suits them, must not hide the
 // rest.
 TEST_F(FirstView, TheExposureForEmittersDoesNotHideTheRest) {

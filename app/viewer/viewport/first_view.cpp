@@ -21,6 +21,8 @@ namespace {
 
 constexpr int kColumns = 24, kRows = 16;  // of rays that look for surfaces in front of the near plane
 constexpr uint32_t kExposureSamples = 4, kLightSamples = 8;
+constexpr float kDarkBackdrop = 0.25f;  // brightness behind surfaces that are middle grey themselves
+constexpr float kLargestShareLikeBackdrop = 0.5f;
 constexpr float kMaxExposureOfBackdrop = 1;  // EV; the grey backdrop stays far below white
 
 // The distance along the optical axis to the surface in the centre of the image; 0 if there is none.
@@ -77,6 +79,19 @@ void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const r
                            ? "Exposure set to %+.1f EV for dark surfaces. A higher one would make the backdrop white."
                            : "Exposure set to %+.1f EV to suit the luminance of the surfaces.";
   state.notices.add_message(formatted(format, static_cast<double>(*exposure)));
+}
+
+// Darkens the backdrop if most surfaces are about as bright.
+void adjust_backdrop(AppState& state, const scene::CompiledScene& scene, const render::Frame& frame) {
+  const render::Document& document = state.document();
+  const Environment& environment = document.scene->environment;
+  if (environment.visible || !environment.backdrop || environment.backdrop_brightness != 1) return;
+  const auto share = [&](float factor) { return render::share_like_backdrop(document, scene, *frame.pixels, factor); };
+  const float like_grey = share(1);
+  if (like_grey < kLargestShareLikeBackdrop || share(kDarkBackdrop) >= like_grey) return;
+  auto darkened = render::with_text(document, "environment.backdrop-brightness",
+                                    formatted("%g", static_cast<double>(kDarkBackdrop)));
+  if (darkened) state.editor->amend(std::move(*darkened));
 }
 
 // Whether the camera of the file sees unlit surfaces only, and another one would see lit surfaces.
@@ -151,6 +166,7 @@ void adjust_first_view(AppState& state) {
   }
   pending = FirstView::adjusted;
   adjust_exposure(state, *scene, *frame);
+  if (is_new_scene) adjust_backdrop(state, *scene, *frame);
 }
 
 }  // namespace etendue::viewer

@@ -55,7 +55,7 @@ void EnvironmentMap::prepare_backdrop() {
     for (size_t i = 0; i < normals.size(); ++i)
       white[i] += irradiance * kInvPi * std::max(0.0f, glm::dot(normals[i], normals.back()));
   }
-  brightest_white_ = *std::ranges::max_element(white);
+  backdrop_white_ = environment_.backdrop_brightness * *std::ranges::max_element(white);
 }
 
 Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
@@ -63,7 +63,7 @@ Rgb EnvironmentMap::seen_radiance(const Vec3& direction) const {
   // Middle grey, 18 % of white, is just below the horizon, where most cameras look.
   constexpr float kBelow = 0.12f, kAbove = 0.36f;
   const float t = 0.5f + 0.5f * std::clamp(direction.y, -1.0f, 1.0f);
-  return Rgb(brightest_white_ * (kBelow + (kAbove - kBelow) * t * t * (3 - 2 * t)));
+  return Rgb(backdrop_white_ * (kBelow + (kAbove - kBelow) * t * t * (3 - 2 * t)));
 }
 
 }  // namespace etendue

@@ -42,7 +42,8 @@ class EnvironmentMap {
   };
   Value value(const Vec3& direction, bool compensated = false) const;
   // What camera rays see: the environment, or the backdrop. The backdrop is a grey gradient from below to above. It has
-  // 12 to 36 % of the radiance of a white diffuse surface that faces the light of this environment, and emits no light.
+  // 12 to 36 % of the radiance of a white diffuse surface that faces the light of this environment, times its brightness,
+  // and emits no light.
   Rgb seen_radiance(const Vec3& direction) const;
   const EmissionSpectrum* seen_spectrum() const { return shows_backdrop() ? nullptr : spectrum(); }
   bool shows_backdrop() const { return !environment_.visible && environment_.backdrop; }
@@ -94,7 +95,7 @@ class EnvironmentMap {
   Rgb mean_{0};
   Density full_, compensated_;
   float compensated_share_ = 0;
-  float brightest_white_ = 0;  // the largest luminance of a white diffuse surface; for the backdrop
+  float backdrop_white_ = 0;  // the largest luminance of a white diffuse surface, times the brightness of the backdrop
 };
 
 }  // namespace etendue

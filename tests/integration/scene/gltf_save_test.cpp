@@ -201,7 +201,7 @@ TEST_F(Saving, LensShutterEnvironmentAndTimeAreSaved) {
   ASSERT_TRUE(image::write_exr(folder_ / "sky.exr", sky));
   auto document = *render::new_document("cornell");
   document = *render::with_environment(document, (folder_ / "sky.exr").string());
-  for (const auto& [name, value] : {std::pair("environment.rotation", "0.5"), std::pair("environment.visible", "false"), std::pair("environment.backdrop", "true"),
+  for (const auto& [name, value] : {std::pair("environment.rotation", "0.5"), std::pair("environment.visible", "false"), std::pair("environment.backdrop", "true"), std::pair("environment.backdrop-brightness", "0.5"),
                                     std::pair("environment.tint.g", "0.25"), std::pair("scene.time", "0.75"),
                                     std::pair("camera.lens-radius", "0.125"), std::pair("camera.focus-distance", "3.5"),
                                     std::pair("camera.shutter", "0.0625")})
@@ -215,6 +215,7 @@ TEST_F(Saving, LensShutterEnvironmentAndTimeAreSaved) {
   EXPECT_EQ(after.environment.rotation, 0.5f);
   EXPECT_FALSE(after.environment.visible);
   EXPECT_TRUE(after.environment.backdrop);
+  EXPECT_EQ(after.environment.backdrop_brightness, 0.5f);
   ASSERT_TRUE(after.environment.map);
   EXPECT_EQ(after.environment.map->floats[5], 1234.5f);
   EXPECT_EQ(description(before)["extensions"]["ETENDUE_transport"]["environment"]["file"], "sky.exr");

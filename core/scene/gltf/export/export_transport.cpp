@@ -57,6 +57,7 @@ Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   put(to, "rotation", e.rotation, 0);
   if (!e.visible) to["visible"] = false;
   if (e.backdrop) to["backdrop"] = true;
+  put(to, "backdropBrightness", e.backdrop_brightness, 1);
   put_spectrum(to, "spectrum", e.spectrum, folder);
   if (e.sky && e.file == to.value("preset", "")) put_sky(to, *e.sky);
   if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);

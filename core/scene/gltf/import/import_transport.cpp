@@ -93,16 +93,14 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   environment.rotation = reader.number("rotation", 0, kLowest);
   environment.visible = reader.flag("visible", true);
   environment.backdrop = reader.flag("backdrop", false);
+  environment.backdrop_brightness = reader.number("backdropBrightness", 1, 0);
   environment.spectrum = read_spectrum_name(reader, "spectrum", input.folder);
   if (const std::string preset = reader.text("preset"); !preset.empty()) {
     if (const BuiltinEnvironment* builtin = find_builtin_environment(preset)) {
       Environment made = make_environment(*builtin);
       if (made.sky) made = make_sky(read_sky(reader, *made.sky));
       made.tint = environment.tint;
-      made.rotation = environment.rotation;
-      made.visible = environment.visible;
-      made.backdrop = environment.backdrop;
-      made.spectrum = environment.spectrum;
+      made.keep_settings_of(environment);
       environment = std::move(made);
     } else {
       reader.warn("preset: there is no environment '" + preset + "'; the tint alone lights the scene");
