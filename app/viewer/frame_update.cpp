@@ -232,11 +232,12 @@ void update_comparison_source(AppState& state) {
   if (!frame || frame->version != state.editor->version()) return;
   const auto& method = state.document().method;
   const std::string spec = method.integrator + ":sampler=" + method.sampler;
-  const std::string samples = formatted(", %u spp", frame->samples);
+  const std::string unavailable = with_labels(state.document(), state.incompatibility()).text;
+  const std::string samples = unavailable.empty() ? formatted(", %u spp", frame->samples) : "";
   state.viewport.comparison->live = {.name = short_method_name(spec) + samples,
                                      .label = method_label(spec) + samples,
                                      .frame = frame,
-                                     .unavailable = with_labels(state.document(), state.incompatibility()).text};
+                                     .unavailable = unavailable};
 }
 
 void update_pivot(AppState& state) {

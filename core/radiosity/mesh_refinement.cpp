@@ -21,6 +21,7 @@ constexpr std::array<Vec2, kParts> kCentroids{Vec2(1 / 6.0f, 1 / 6.0f), Vec2(1 /
 
 MeshRefinement::MeshRefinement(const scene::CompiledScene& scene, const MeshSettings& settings, uint64_t seed)
     : settings_(settings), seed_(seed), mesh_(scene, settings) {
+  // Not the sampler of the document: a comparison of samplers should have one mesh.
   std::unique_ptr<Sampler> sampler = make_sampler("sobol", {});
   sampler->prepare(0, kLightSamples);
   sampler_ = std::move(sampler);

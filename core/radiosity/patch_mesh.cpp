@@ -1,5 +1,6 @@
 #include "radiosity/patch_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/facet.h"
@@ -157,15 +158,21 @@ void PatchMesh::measure_quality() {
 }
 
 PatchMesh PatchMesh::refined(const std::vector<char>& divided, std::vector<uint32_t>* parts_of) const {
-  PatchMesh mesh = *this;
-  if (mesh.nodes_.empty())
+  const auto count = static_cast<size_t>(std::ranges::count_if(divided, [](char d) { return d != 0; }));
+  PatchMesh mesh;
+  mesh.cells_ = cells_;
+  mesh.first_cell_ = first_cell_;
+  mesh.quality_ = quality_;
+  mesh.nodes_.reserve(std::max(nodes_.size(), patches_.size()) + kChildren * count);
+  mesh.nodes_ = nodes_;
+  std::vector<uint32_t> leaves = leaves_;
+  if (nodes_.empty())
     for (uint32_t p = 0; p < patches_.size(); ++p) {
       mesh.nodes_.push_back({.patch = p});
-      mesh.leaves_.push_back(p);
+      leaves.push_back(p);
     }
-  mesh.patches_.clear();
-  const std::vector<uint32_t> leaves = std::move(mesh.leaves_);
-  mesh.leaves_.clear();
+  mesh.patches_.reserve(patches_.size() + (kChildren - 1) * count);
+  mesh.leaves_.reserve(mesh.patches_.capacity());
   if (parts_of) parts_of->clear();
   const auto add = [&](uint32_t node, const Patch& patch, uint32_t old) {
     mesh.nodes_[node].patch = static_cast<uint32_t>(mesh.patches_.size());

@@ -5,6 +5,7 @@
 
 #include "advisor/reference_integrator.h"
 #include "advisor/report_numbers.h"
+#include "base/number_text.h"
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_kinds.h"
@@ -126,7 +127,7 @@ MeasuredMissingPaths measure_missing_paths(render::Session& session, const rende
 
 std::string missing_paths_text(const MissingPaths& missing) {
   if (missing.none()) return "misses no path class with measurable energy";
-  std::string text = "misses " + percent(missing.share) + " of the light: ";
+  std::string text = "misses " + format_percent(missing.share) + " of the light: ";
   constexpr size_t kNamed = 3;
   for (size_t i = 0; i < std::min(kNamed, missing.classes.size()); ++i) {
     const MissingPathClass& c = missing.classes[i];

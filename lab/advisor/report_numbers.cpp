@@ -1,4 +1,5 @@
 #include "advisor/report_numbers.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ std::string printed(const char* format, T... values) {
   return text;
 }
 
-// Smaller shares have two significant digits.
+// format_percent gives smaller shares two significant digits.
 bool is_large(double share) { return share >= 0.0995; }
 
 }  // namespace
@@ -25,8 +26,6 @@ std::string number(double value) { return printed("%.3g", value); }
 std::string error_number(film::ErrorMeasure measure, double error) {
   return measure == film::ErrorMeasure::rmse ? number(error) : number(100 * error) + " %";
 }
-
-std::string percent(double share) { return printed(is_large(share) ? "%.0f %%" : "%.2g %%", 100 * share); }
 
 std::vector<std::string> percents(std::span<const double> shares) {
   std::vector<std::string> texts;
@@ -49,7 +48,7 @@ std::vector<std::string> percents(std::span<const double> shares) {
       ++rounded_up;
     }
   for (size_t i = 0; i < shares.size(); ++i)
-    texts.push_back(is_large(shares[i]) ? printed("%.0f %%", whole[i]) : percent(shares[i]));
+    texts.push_back(is_large(shares[i]) ? printed("%.0f %%", whole[i]) : format_percent(shares[i]));
   return texts;
 }
 

@@ -11,7 +11,6 @@ namespace etendue::advisor {
 std::string number(double value);  // three significant digits: "0.0123"
 // An error with three digits: "0.0123", or "1.23 %" for a fraction.
 std::string error_number(film::ErrorMeasure measure, double error);
-std::string percent(double share);  // "31 %", "0.4 %"
 // The parts of a whole, rounded so that they do not add up to more than the whole: "54 %", "24 %", "22 %".
 std::vector<std::string> percents(std::span<const double> shares);
 std::string times(double ratio);        // a factor: "2.3", "40"

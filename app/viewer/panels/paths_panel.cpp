@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "advisor/report_numbers.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
@@ -275,9 +276,9 @@ class PathsPanel final : public Panel {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted("all paths");
-    share_and_luminance_cells(ui, table.total, advisor::percent(table.total.share), share_width());
+    share_and_luminance_cells(ui, table.total, format_percent(table.total.share), share_width());
     if (missing_share > 0)
-      ImGui::TextColored(ui.theme.warning, "%s", advisor::percent(1 - missing_share).c_str());
+      ImGui::TextColored(ui.theme.warning, "%s", format_percent(1 - missing_share).c_str());
     else
       ImGui::TextUnformatted("all");
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/number_text.h"
 #include "advisor/report_numbers.h"
 #include "render/display_frame.h"
 #include "viewer/actions/action.h"
@@ -27,7 +28,7 @@ constexpr size_t kListed = 5;  // of the ranking, unless all are shown
 // The predicted time, or why the integrator is unsuitable, in few words. The tooltip has the full reason.
 std::string short_result(const advisor::Advice& advice, bool running) {
   if (!advice.suitable)
-    return advice.misses.none() ? "biased" : "misses " + advisor::percent(advice.misses.share) + " of the light";
+    return advice.misses.none() ? "biased" : "misses " + format_percent(advice.misses.share) + " of the light";
   if (!advice.time) return running ? "" : "unknown";
   const auto& interval = advice.time->interval;
   std::string text = advisor::seconds_text(advice.time->seconds);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "advisor/report_numbers.h"
 #include "integrator/bdpt/techniques.h"
 #include "integrator/integrator.h"
@@ -40,15 +41,15 @@ std::string caption(const TechniqueImages& techniques, const TechniqueImage& ima
   const std::string name = formatted("%d,%d", image.s, image.t);
   if (disabled) return name + "  off";
   const auto share = techniques.share(image);
-  return share ? name + "  " + advisor::percent(*share) : name;
+  return share ? name + "  " + format_percent(*share) : name;
 }
 
 std::string technique_description(const TechniqueImages& techniques, const TechniqueImage& image, bool disabled) {
   std::string text = formatted("s = %d, t = %d: ", image.s, image.t) + describe_technique(image.s, image.t) + "\n" +
                      formatted("Paths of %d %s.", image.edges(), image.edges() == 1 ? "edge" : "edges");
   if (const auto share = techniques.share(image))
-    text += " " + advisor::percent(*share) + " of the light, \u00b1 " +
-            advisor::percent(image.standard_error / techniques.combined.mean) + formatted(", %u spp.", image.samples);
+    text += " " + format_percent(*share) + " of the light, \u00b1 " +
+            format_percent(image.standard_error / techniques.combined.mean) + formatted(", %u spp.", image.samples);
   if (disabled) return text + "\nDisabled: its weight goes to the other techniques. Click to enable";
   if (!image.unavailable.empty()) return text + "\n" + image.unavailable;
   return text + "\nClick to disable; MIS gives its weight to the other techniques";

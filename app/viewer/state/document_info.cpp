@@ -94,6 +94,7 @@ std::string integrator_label(const std::string& name) {
 }
 
 LabelledMessage with_labels(const render::Document& document, const std::string& message) {
+  if (message.empty()) return {};
   LabelledMessage labelled{.text = message};
   std::string& text = labelled.text;
   // The integrator of a comparison need not be that of the document.

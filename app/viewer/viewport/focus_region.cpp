@@ -15,7 +15,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr float kMinDrag = 4;  // window pixels
+constexpr float kMinDrag = 4;     // window pixels
 constexpr float kNoteWidth = 24;  // of a note, times the font size
 constexpr ImGuiWindowFlags kLabelWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
@@ -49,7 +49,8 @@ std::string label_text(const render::Status& status) {
 Vec2 label_corner(const Placement& viewport, const Placement& rectangle, Vec2 size) {
   const float gap = 4;
   const float above = rectangle.corner.y - size.y - gap, below = rectangle.corner.y + rectangle.size.y + gap;
-  const float last_x = viewport.corner.x + viewport.size.x - size.x, last_y = viewport.corner.y + viewport.size.y - size.y;
+  const float last_x = viewport.corner.x + viewport.size.x - size.x,
+              last_y = viewport.corner.y + viewport.size.y - size.y;
   const float y = above >= viewport.corner.y ? above : below <= last_y ? below : rectangle.corner.y + gap;
   return {std::clamp(rectangle.corner.x, viewport.corner.x, std::max(viewport.corner.x, last_x)),
           std::clamp(y, viewport.corner.y, std::max(viewport.corner.y, last_y))};
@@ -72,7 +73,8 @@ void draw_label_window(AppState& state, const Placement& rectangle) {
   action_button(state, "view.clear-region");
   if (status.focus && !status.focus->incompatibility.empty()) {
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * kNoteWidth);
-    warning(state.ui, "The whole image is sampled. " + with_labels(state.document(), status.focus->incompatibility).text + ".");
+    warning(state.ui,
+            "The whole image is sampled. " + with_labels(state.document(), status.focus->incompatibility).text + ".");
     ImGui::PopTextWrapPos();
   }
   ImGui::End();
@@ -114,8 +116,7 @@ void FocusRegion::draw(AppState& state) const {
   if (!shown) return;
   const Placement rectangle = rectangle_on_screen(state, *shown);
   draw_rectangle(rectangle);
-  if (!dragged_ && state.interface.visible)
-    draw_label_window(state, intersection(rectangle, state.viewport.region));
+  if (!dragged_ && state.interface.visible) draw_label_window(state, intersection(rectangle, state.viewport.region));
 }
 
 void toggle_focus_region(AppState& state) {

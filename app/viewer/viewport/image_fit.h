@@ -17,8 +17,9 @@ struct AppState;
 Vec2i fitted_size(const render::Document& document, Vec2 region);
 void fit_image(render::Document& document, Vec2 region);
 
-// Fits the image again when the viewport has kept another size for a moment, unless its resolution was chosen by the user,
-// other images are compared with it, something was measured in it, or its samples have taken so long that they should be kept.
+// Fits the image again when the viewport has kept another size for a moment. The image stays as it is if the user has
+// chosen its resolution, if other images are compared with it, if something was measured in it, or if its samples have
+// taken so long that they should be kept.
 class ImageFit {
  public:
   // The document was opened. `is_fitted`: its image has the size of the viewport.

@@ -8,7 +8,7 @@ namespace etendue {
 namespace {
 
 // Rows of the map that take part; finer details hardly change the irradiance.
-constexpr int kMaxRows = 128;
+constexpr int kMaxRows = 64;
 
 // Unit vectors towards the faces, edges and corners of a cube.
 std::vector<Vec3> orientations() {

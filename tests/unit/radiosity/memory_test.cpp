@@ -8,6 +8,7 @@
 #include <new>
 #include <thread>
 
+#include "radiosity/mesh_refinement.h"
 #include "radiosity/parameters.h"
 #include "radiosity/reconstruction.h"
 #include "radiosity/reflectance.h"
@@ -96,6 +97,29 @@ TEST(Memory, IsBounded) {
       // The bound is useful: rays seldom all hit different elements, and patches seldom see all others.
       EXPECT_GT(40 * used, bound) << patches << " patches, " << solutions << " solutions";
     }
+  }
+}
+
+// While a mesh is refined there are two of them.
+TEST(Memory, OfAnAdaptiveMeshIsBounded) {
+  scene::Scene s;
+  scene::add(s, scene::cube(0.5f, true), scene::diffuse(Rgb(0.5f)));
+  scene::add(s, scene::cube(0.1f, false), scene::diffuse(Rgb(0.5f)));
+  s.lights.push_back(make_light("point"));
+  scene::Node node;
+  node.light = 0;
+  glm::mat4 raised(1.0f);
+  raised[3] = glm::vec4(0, 0.4f, 0, 1);
+  node.transform.matrix = raised;
+  s.nodes.push_back(node);
+  s.roots.push_back(static_cast<int>(s.nodes.size()) - 1);
+  const auto scene = scene::compile(std::make_shared<const scene::Scene>(std::move(s)), Camera(), nullptr);
+  for (const int patches : {3000, 20'000}) {
+    const size_t before = live_bytes;
+    peak_bytes = before;
+    const PatchMesh mesh = complete_mesh(*scene, {Meshing::adaptive, patches, 0}, 1);
+    EXPECT_GT(mesh.patches().size(), static_cast<size_t>(patches) * 9 / 10);
+    EXPECT_LE(peak_bytes - before, static_cast<size_t>(patches) * PatchMesh::kBytesPerRefinedPatch);
   }
 }
 
