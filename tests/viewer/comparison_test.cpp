@@ -48,6 +48,9 @@ TEST(ComparisonProblem, AMissingImageIsNotCompared) {
                   .unavailable = "no light can reach a pinhole"};
   EXPECT_EQ(comparison.first().name, "light-pure") << "the live image does not stand in for it";
   EXPECT_EQ(comparison.problem(), "A: n/a. Pure light tracing: no light can reach a pinhole");
+  comparison.a.label = "Pure light tracing, Halton";
+  comparison.a.unavailable = "Pure light tracing: no light can reach a pinhole";
+  EXPECT_EQ(comparison.problem(), "A: n/a. Pure light tracing: no light can reach a pinhole");
 }
 
 // Hides the interface and makes a screenshot.

@@ -23,17 +23,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr double kMaxPrediction = 100 * 3600;  // seconds
-constexpr float kSameScale = 0.01f;            // smaller differences from 100 % are not worth a note
-
-// "0:42 to 0:54 left": the prediction interval, or the prediction if the interval is shorter than a second.
-std::string remaining_time(const render::Prediction& prediction) {
-  if (prediction.seconds > kMaxPrediction) return "days left";
-  const std::string low = clock_text(std::max(prediction.interval.low, 0.0));
-  const std::string high =
-      prediction.interval.high > kMaxPrediction ? std::string("days") : clock_text(prediction.interval.high);
-  return low == high ? clock_text(prediction.seconds) + " left" : low + " to " + high + " left";
-}
+constexpr float kSameScale = 0.01f;  // smaller differences from 100 % are not worth a note
 
 // Parts from left to right, as long as there is space.
 class StatusLine {
@@ -201,7 +191,7 @@ void draw_parts(AppState& state, StatusLine& line) {
   if (!state.viewport.zoom.is_fitted() || std::abs(current_scale(state) - 1) > kSameScale) line.add_zoom();
   line.add(clock_text(status.seconds), "Rendering time of this image");
   if (status.time_left && !status.finished)
-    line.add(remaining_time(*status.time_left),
+    line.add(remaining_time(status.time_left->seconds, status.time_left->interval.low, status.time_left->interval.high),
              "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
   line.add_error(error_text(status), status.measure);
   if (status.focus && status.focus->error.known)

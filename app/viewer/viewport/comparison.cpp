@@ -30,13 +30,19 @@ bool same_size(const Side& a, const Side& b) {
   return a.frame->width == b.frame->width && a.frame->height == b.frame->height;
 }
 
+// Begins with the name of the integrator.
+std::string reason_unavailable(const Side& side) {
+  const std::string integrator = side.label.substr(0, side.label.find(','));
+  return side.unavailable.starts_with(integrator + ": ") ? side.unavailable : side.label + ": " + side.unavailable;
+}
+
 std::string size_text(const Side& side) { return formatted("%d x %d", side.frame->width, side.frame->height); }
 
 }  // namespace
 
 std::string Comparison::problem() const {
   for (const auto& [letter, side] : {std::pair{"A", &first()}, {"B", &b}})
-    if (!side->unavailable.empty()) return std::string(letter) + ": n/a. " + side->label + ": " + side->unavailable;
+    if (!side->unavailable.empty()) return std::string(letter) + ": n/a. " + reason_unavailable(*side);
   if (!first().frame) return "There is no image yet.";
   if (!b.frame) return "There is no image B. Pin the current image or load one.";
   if (!same_size(first(), b))
@@ -88,10 +94,10 @@ std::optional<Result<std::string>> Comparison::take_load_result() {
   if (!loaded) return std::nullopt;
   if (!*loaded) return Result<std::string>(loaded->error());
   LoadedImage& image = **loaded;
-  const Side& other = image.other                           ? *image.other
+  const Side& other = image.other                         ? *image.other
                       : image.target == Target::reference ? live
                       : image.target == Target::b         ? first()
-                                                            : image.side;
+                                                          : image.side;
   if (other.frame && !same_size(image.side, other))
     return Result<std::string>(input_error(image.side.name + ": is " + size_text(image.side) + ", " +
                                            (&other == &live ? "the image" : other.name) + " is " + size_text(other) +

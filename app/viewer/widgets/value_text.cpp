@@ -1,9 +1,10 @@
 #include "viewer/widgets/value_text.h"
 
-#include <ctime>
+#include <algorithm>
 #include <cctype>
 #include <cstdarg>
 #include <cstdio>
+#include <ctime>
 
 namespace etendue::viewer {
 
@@ -20,6 +21,14 @@ std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(seconds);
   if (whole >= 3600) return formatted("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
   return formatted("%lld:%02lld", whole / 60, whole % 60);
+}
+
+std::string remaining_time(double seconds, double low, double high) {
+  constexpr double kLongest = 100 * 3600;
+  if (seconds > kLongest) return "days left";
+  const std::string from = clock_text(std::max(low, 0.0));
+  const std::string to = high > kLongest ? std::string("days") : clock_text(high);
+  return from == to ? clock_text(seconds) + " left" : from + " to " + to + " left";
 }
 
 std::string date_text(int64_t seconds) {

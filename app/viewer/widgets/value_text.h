@@ -13,6 +13,9 @@ namespace etendue::viewer {
 
 // A duration: "0:48", "1:02:03".
 std::string clock_text(double seconds);
+// A predicted time in seconds and its prediction interval, whose lower end may be negative: "0:42 to 0:54 left", or "0:48 left" if
+// both ends have the same text. More than 100 hours are "days".
+std::string remaining_time(double seconds, double low, double high);
 // A date in local time: "2024-01-31 23:59"; empty for 0.
 std::string date_text(int64_t seconds_since_1970);
 // A number of bytes: "312 kB", "1.4 GB".
