@@ -10,15 +10,16 @@
 namespace etendue {
 namespace {
 
-// sRGB bytes as linear values.
-const std::array<float, 256>& srgb_table() {
-  static const auto table = [] {
-    std::array<float, 256> t{};
-    for (size_t i = 0; i < t.size(); ++i) t[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
-    return t;
-  }();
+template <class F>
+std::array<float, 256> table_of(F value) {
+  std::array<float, 256> table{};
+  for (size_t i = 0; i < table.size(); ++i) table[i] = value(static_cast<float>(i));
   return table;
 }
+
+// Linear values of bytes with both encodings.
+const std::array<float, 256> kSrgb = table_of([](float byte) { return srgb_to_linear(byte / 255.0f); });
+const std::array<float, 256> kLinear = table_of([](float byte) { return byte * (1 / 255.0f); });
 
 // The texel index i of a row of n texels, wrapped into [0, n).
 int wrapped(int i, int n, Wrap wrap) {
@@ -44,14 +45,14 @@ Vec4 to_rgba(const float* v, int channels) {
   }
 }
 
-// RGBA of a byte pixel with 1 to 4 channels.
+// RGBA of a byte pixel with 1 to 4 channels. Alpha is linear in both encodings.
 Vec4 decoded(const uint8_t* bytes, int channels, Encoding encoding) {
-  std::array<float, 4> v{};
-  const int colors = channels < 3 ? 1 : 3;
-  for (int c = 0; c < channels; ++c)
-    v[static_cast<size_t>(c)] =
-        encoding == Encoding::srgb && c < colors ? srgb_table()[bytes[c]] : static_cast<float>(bytes[c]) * (1 / 255.0f);
-  return to_rgba(v.data(), channels);
+  const float* table = encoding == Encoding::srgb ? kSrgb.data() : kLinear.data();
+  if (channels < 3) {
+    const float grey = table[bytes[0]];
+    return Vec4(grey, grey, grey, channels == 2 ? kLinear[bytes[1]] : 1);
+  }
+  return Vec4(table[bytes[0]], table[bytes[1]], table[bytes[2]], channels == 4 ? kLinear[bytes[3]] : 1);
 }
 
 Vec4 texel(const image::Image& image, Encoding encoding, int x, int y) {

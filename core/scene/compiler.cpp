@@ -6,6 +6,7 @@
 #include "scene/compiled_scene.h"
 #include "scene/density_placement.h"
 #include "scene/facet.h"
+#include "scene/gltf/parallel_jobs.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"
@@ -70,9 +71,9 @@ class Compiler {
     if (!previous_) return false;
     const Scene& old = previous_->description();
     if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
-    if (scene_->time != old.time || scene_->clip != old.clip || scene_->roots != old.roots || scene_->skins != old.skins ||
-        scene_->animations != old.animations || scene_->meshes.size() != old.meshes.size() ||
-        scene_->nodes.size() != old.nodes.size())
+    if (scene_->time != old.time || scene_->clip != old.clip || scene_->roots != old.roots ||
+        scene_->skins != old.skins || scene_->animations != old.animations ||
+        scene_->meshes.size() != old.meshes.size() || scene_->nodes.size() != old.nodes.size())
       return false;
     for (size_t i = 0; i < scene_->nodes.size(); ++i)
       if (!(scene_->nodes[i] == old.nodes[i])) return false;
@@ -404,8 +405,7 @@ class Compiler {
         triangles.insert(triangles.end(), known, known + count);
         continue;
       }
-      for (uint32_t t = 0; t < count; ++t)
-        triangles.push_back(emissive(instance, material, i, t, known ? &known[t].radiance : nullptr));
+      add_emissive(instance, material, i, known, triangles);
       if (!instance.motion) continue;
       moving.resize(instances->size());
       moving[i] = {instance.mesh, instance.motion};
@@ -437,6 +437,21 @@ class Compiler {
     if (old.first_light == InstanceData::kNotALight || old.round || old.material != instance.material) return nullptr;
     if (!same_parametrization(*instance.mesh, *old.mesh)) return nullptr;
     return &previous_->lights_->triangles()[old.first_light];
+  }
+
+  // Appends all triangles of an instance. `known` are those of the previous scene, or null.
+  static void add_emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                           const AreaLightTriangle* known, std::vector<AreaLightTriangle>& triangles) {
+    constexpr size_t kTrianglesOfAJob = 2048;
+    const size_t count = instance.mesh->triangles.size(), first = triangles.size();
+    triangles.resize(first + count);
+    const auto job = [&](size_t number) {
+      const size_t begin = number * kTrianglesOfAJob;
+      for (size_t t = begin; t < std::min(begin + kTrianglesOfAJob, count); ++t)
+        triangles[first + t] =
+            emissive(instance, material, i, static_cast<uint32_t>(t), known ? &known[t].radiance : nullptr);
+    };
+    gltf::run_jobs((count + kTrianglesOfAJob - 1) / kTrianglesOfAJob, job, [](float) { return true; });
   }
 
   // `known_mean` is the mean of textured emission; null if it is to be computed.

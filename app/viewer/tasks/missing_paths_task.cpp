@@ -41,9 +41,10 @@ void MissingPathsTask::update(const TaskContext& context, bool allowed) {
   if (task_.running() && !(allowed && same_question(editor.document(), document_))) task_.cancel();
   const double since_edit = std::chrono::duration<double>(Clock::now() - edit_time_).count();
   if (!allowed || task_.running() || result_for(editor.document()) || since_edit < kDelay) return;
+  const auto scene = context.session.scene();
+  if (!scene || context.session.status().version != editor.version()) return;  // would compile the scene a second time
   document_ = editor.document();
-  const auto work = [document = document_, scene = context.session.scene()](const auto& publish,
-                                                                            const bench::Progress& progress) {
+  const auto work = [document = document_, scene](const auto& publish, const bench::Progress& progress) {
     render::Session session({.threads = 1, .scene = scene});
     advisor::TableOptions options;
     options.samples = kSamples;
