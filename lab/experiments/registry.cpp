@@ -18,6 +18,7 @@
   ENTRY(radiosity_elements)        \
   ENTRY(transport_operators)       \
   ENTRY(power_iteration)           \
+  ENTRY(camera_response)           \
   ENTRY(random_walks)              \
   ENTRY(linear_walks)              \
   ENTRY(variance_reduction)        \
