@@ -32,6 +32,11 @@ std::string expected_range(const ParameterInfo& info) {
   return "a number from " + format_number(info.min, 6) + " to " + format_number(info.max, 6);
 }
 
+// Whether the limit of a range is `d` in single precision: 0.001 is less than 0.001f.
+bool rounds_to(double d, double limit) {
+  return std::abs(d) < 1e38 && static_cast<float>(d) == static_cast<float>(limit);
+}
+
 template <class T>
 bool parse_number(std::string_view text, T& out) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -120,6 +125,8 @@ Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
       if (const auto* i = std::get_if<int64_t>(&value)) d = static_cast<double>(*i);
       if (const auto* f = std::get_if<double>(&value)) d = *f;
       if (d >= info.min && d <= info.max) return Value(d);
+      for (const double limit : {info.min, info.max})
+        if (rounds_to(d, limit)) return Value(limit);
       return invalid_value(info, text, expected_range(info));
     }
     case ParameterType::choice:
