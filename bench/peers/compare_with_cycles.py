@@ -12,6 +12,7 @@ similar ones. Writes a table in Markdown. Needs Debian's packages blender and py
 """
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -53,16 +54,20 @@ def measure(name, options, folder):
         command += ["--env", "uniform"]
     if options.reference_time:
         command += ["--reference-time", str(options.reference_time)]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    # Blender takes the modules of the first python3 in PATH: that of Debian has numpy.
+    environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"]}
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
     return json.loads((out / "summary.json").read_text())
 
 
 def row(name, summary):
     *own, peer = summary["methods"]
+    if peer["relmse"] is None:
+        sys.exit(f"{name}: Cycles rendered no sample; is blender installed, and the budget long enough?")
     cells = [name, f"{summary['budget']:g}"]
     for method in own:
         ratio = peer["relmse"] * peer["seconds"] / (method["relmse"] * method["seconds"])
-        chosen = ", ".join(sorted(set(method["choices"] or [])))
+        chosen = ", ".join(sorted({choice.split()[0] for choice in method["choices"]}))
         cells.append(f"{ratio:.2f}" + (f" ({chosen})" if chosen else ""))
     bias = peer["bias"], peer["bias_stderr"]
     cells += [f"{peer['relmse']:.3g}", "?" if None in bias else f"{bias[0]:+.2g} ± {bias[1]:.1g}",

@@ -193,9 +193,11 @@ TEST_F(Merge, RefusesDamagedAndForeignFiles) {
     write_changed("cut.exr", bytes.substr(0, static_cast<size_t>(length * static_cast<double>(bytes.size()))));
     expect_refused("a.exr cut.exr", 3, "cut.exr");
   }
-  // A changed byte in the pixels, and one in the range of the samples.
+  // A changed byte in the pixels, and one in the range of the samples. The former is in the middle of the last of 24 rows, and
+  // not in a checksum of its compression, which OpenEXR ignores.
   std::string changed = bytes;
-  changed[bytes.size() * 9 / 10] = static_cast<char>(changed[bytes.size() * 9 / 10] ^ 1);
+  char& pixel = changed[bytes.size() - 700];
+  pixel = static_cast<char>(pixel ^ 1);
   write_changed("changed.exr", changed);
   expect_refused("a.exr changed.exr", 3, "changed.exr: it is");
   changed = bytes;
