@@ -43,6 +43,7 @@
 #include "equations/random_numbers.h"
 #include "experiments/experiment.h"
 #include "experiments/moments.h"
+#include "radiosity/closed_forms.h"
 
 namespace etendue::experiments {
 namespace {
@@ -74,13 +75,9 @@ double cos4_of(const Point& slope) {
   return 1 / (d * d);
 }
 
-// The irradiance by a disk of unit radiance and radius R at unit distance, at a point `offset` off its axis [Foote 1915].
+// The irradiance by a disk of unit radiance at unit distance, at a point `offset` off its axis [Foote 1915].
 double disk_irradiance(double radius, double offset) {
-  const double r2 = radius * radius, a2 = offset * offset, sum = 1 + a2 + r2;
-  const double root = std::sqrt(sum * sum - 4 * a2 * r2);
-  // 1 - (1 + a^2 - R^2) / root without cancellation.
-  const double numerator = 4 * r2 / (root + (1 + a2 - r2));
-  return 0.5 * std::numbers::pi * numerator / root;
+  return std::numbers::pi * radiosity::point_to_disk(radius, 1, offset);
 }
 
 // The area that two circles with this distance of their centres have in common.
