@@ -122,6 +122,11 @@ class RenderState {
   virtual bool restore(std::span<const std::byte> state) { return state.empty(); }
 };
 
+// Light paths as path expressions, as in IntegratorInfo.
+struct SampledPaths {
+  std::string paths, point_paths;
+};
+
 class Integrator {
  public:
   virtual ~Integrator() = default;
@@ -130,6 +135,9 @@ class Integrator {
   // The objects that `context` refers to, and the integrator, must outlive the state. `previous` is the state of the
   // previous rendering, by any integrator, or null; data of an unchanged scene may be reused.
   virtual std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const = 0;
+  // The paths that are sampled with these settings in a scene (null: in any scene that the settings apply to): those of
+  // the description, and those that settings add. A limit of their length is not part of them.
+  virtual SampledPaths sampled_paths(const scene::CompiledScene* scene) const = 0;
   // Why this integrator would find no light in this scene, and how to change that; empty if it is compatible.
   virtual std::string incompatibility(const RenderContext& context) const { return (void)context, std::string(); }
 };

@@ -23,6 +23,10 @@ class IntegratorBase : public Integrator {
   bool set(std::string_view name, const Value& value) final {
     return assign_by_name(static_cast<Derived&>(*this).parameters(), name, value);
   }
+  SampledPaths sampled_paths(const scene::CompiledScene*) const override {
+    IntegratorInfo info = Derived::info();
+    return {std::move(info.paths), std::move(info.point_paths)};
+  }
 
  protected:
   bool at_max_depth(int length) const { return max_depth > 0 && length >= max_depth; }

@@ -103,8 +103,8 @@ struct Statistic {
 const std::vector<IntegratorInfo>& integrator_infos();
 const IntegratorInfo* find_integrator(std::string_view name);
 
-// Whether an integrator samples any path of a path expression (one that PathExpression::parse_paths accepts, or empty:
-// all paths). Paths that it does not sample are missing from its image.
-bool finds_any(const IntegratorInfo& info, std::string_view paths);
+// Whether any of the paths that an integrator samples is a path of another expression (one that
+// PathExpression::parse_paths accepts, or empty: all paths). Paths that it does not sample are missing from its image.
+bool finds_any(std::string_view sampled, std::string_view paths);
 
 }  // namespace etendue::integrator

@@ -70,13 +70,13 @@ const IntegratorInfo* find_integrator(std::string_view name) {
   return nullptr;
 }
 
-bool finds_any(const IntegratorInfo& info, std::string_view paths) {
+bool finds_any(std::string_view sampled, std::string_view paths) {
   if (paths.empty()) return true;
-  const auto sampled = transport::PathExpression::parse(info.paths),
+  const auto found = transport::PathExpression::parse(sampled),
              requested = transport::PathExpression::parse_paths(paths);
-  assert(sampled && requested);
+  assert(found && requested);
   // An intersection with too many states for an automaton counts as non-empty.
-  const auto both = transport::Automaton::intersection(sampled->automaton(), requested->automaton());
+  const auto both = transport::Automaton::intersection(found->automaton(), requested->automaton());
   return !both || !both->empty();
 }
 

@@ -15,7 +15,9 @@ struct Frame {
   // Linear radiance, row by row from the top. Frames that differ only in version or sample count share their pixels.
   std::shared_ptr<const std::vector<Rgb>> pixels;
   uint64_t version = 0;
-  uint32_t samples = 0;   // complete samples of every pixel; 0 while a preview is visible
+  uint32_t samples = 0;  // complete samples of every pixel; 0 while a preview is visible
+  // A preview by path tracing, because the phases of the integrator before its first pixel take long.
+  bool is_substitute = false;
   int preview_scale = 1;  // size in pixels of the blocks that a preview is interpolated from; 1 is full resolution
 };
 

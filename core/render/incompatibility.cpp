@@ -7,12 +7,13 @@ namespace etendue::render {
 std::string incompatibility(const Document& document, const scene::CompiledScene& scene) {
   const MethodSettings& method = document.method;
   const auto& info = *integrator::find_integrator(method.integrator);
-  if (!integrator::finds_any(info, method.paths))
-    return "film.paths: " + info.name + " finds " + info.paths + ", none of " + method.paths +
-           ": the image will be black; choose another integrator";
   // The scene outlives this call, so the pointer need not own it.
   const std::shared_ptr<const scene::CompiledScene> unowned(std::shared_ptr<const void>(), &scene);
   const PreparedDocument prepared(document, unowned);
+  const std::string sampled = prepared.integrator().sampled_paths(&scene).paths;
+  if (!integrator::finds_any(sampled, method.paths))
+    return "film.paths: " + info.name + " finds " + sampled + ", none of " + method.paths +
+           ": the image will be black; choose another integrator";
   std::string reason = prepared.refusal();
   if (reason.empty()) reason = prepared.integrator().incompatibility(prepared.context());
   return reason.empty() ? "" : info.name + ": " + reason;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace {
 constexpr double kPreviewTimeout = 0.025;
 // Duration of a slice that is not followed by a frame, in seconds. The status is updated after each slice.
 constexpr double kStatusInterval = 0.1;
+// Phases that take longer are bridged by a substitute of about this many pixels and this many samples.
+constexpr double kSubstituteDelay = 0.3, kSubstitutePixels = 16'000;
+constexpr uint32_t kSubstituteSamples = 16;
 constexpr double kSliceWithoutFrames = 0.25;
 // A phase of the integrator is reported once it has lasted this long, in seconds.
 constexpr double kShortestReportedPhase = 0.3;
@@ -41,6 +45,7 @@ ProgressiveRender::ProgressiveRender(ThreadPool& workers, const SessionOptions& 
 
 void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::CompiledScene> scene,
                               std::optional<ResumePoint> start, double preview_seconds, bool shares) {
+  shows_substitute_ = shows_substitute_ && document.method.integrator == document_.method.integrator;
   document_ = std::move(document);
   scene_ = std::move(scene);
   film_is_stale_ = !start;
@@ -110,7 +115,29 @@ bool ProgressiveRender::needs_preview() {
   return preview_resolution_.scale() > 1;
 }
 
-std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<void(const Renderer&)>& on_progress) {
+// A preview by path tracing, which has no phases.
+std::shared_ptr<Frame> ProgressiveRender::render_substitute(uint32_t samples) {
+  const int scale =
+      std::max(2, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixel_count()) / kSubstitutePixels))));
+  Document document = document_;
+  document.method.integrator = "path";
+  document.method.adaptive = Adaptive::off;
+  document.part = {};
+  const int width = std::max(1, document.width / scale), height = std::max(1, document.height / scale);
+  Renderer renderer(document, scene_, width, height);
+  film::Film film(width, height);
+  Renderer::Counters counters;
+  renderer.begin(film);
+  while (renderer.samples() < samples && keep_going_())
+    renderer.advance(workers_, {film}, keep_going_, counters, keep_going_);
+  if (renderer.samples() < samples) return nullptr;
+  auto frame = frames_.enlarged(*FrameMaker::preview(film, scale), document_.width, document_.height);
+  frame->is_substitute = true;
+  return frame;
+}
+
+std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<void(const Renderer&)>& on_progress,
+                                                         const std::function<void(std::shared_ptr<Frame>)>& publish) {
   const auto start = Clock::now();
   const int scale = preview_resolution_.scale();
   const int width = std::max(1, document_.width / scale);
@@ -122,6 +149,15 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   Renderer renderer(preview_document, scene_, width, height, renderer_.get());
   film::Film film(width, height);
   Renderer::Counters counters;
+  const auto substitute = [&](uint32_t samples) {
+    auto frame = render_substitute(samples);
+    if (!frame) return;
+    shows_substitute_ = true;
+    publish(std::move(frame));
+  };
+  bool needs_substitute = awaits_first_frame_;
+  // While a substitute is shown, edits are followed by another one at once.
+  if (needs_substitute && shows_substitute_) substitute(1);
   const bool has_timeout = awaits_first_frame_ && !preview_resolution_.is_coarsest();
   const std::function<bool()> still_needed = [&] {
     return keep_going_() && !(has_timeout && seconds_since(start) > kPreviewTimeout);
@@ -133,12 +169,16 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
     const auto keep_going = [&] { return still_needed() && seconds_since(slice_start) < kStatusInterval; };
     complete = renderer.advance(workers_, {film}, keep_going, counters, still_needed);
     on_progress(renderer);
+    if (complete || !needs_substitute || !renderer.progress().phase || seconds_since(start) < kSubstituteDelay) continue;
+    needs_substitute = false;
+    substitute(kSubstituteSamples);
   }
   preview_resolution_.add_measurement(counters.paths, seconds_since(start));
   if (!complete) {
     if (keep_going_()) preview_resolution_.frame_cancelled();
     return nullptr;
   }
+  shows_substitute_ = false;
   preview_ = frames_.preview(film, scale);
   preview_resolution_.frame_completed();
   auto frame = frames_.enlarged(*preview_, document_.width, document_.height);

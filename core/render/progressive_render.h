@@ -42,8 +42,10 @@ class ProgressiveRender {
 
   // True while previews are to be rendered instead of slices.
   bool needs_preview();
-  // Renders a preview; null if it was cancelled. `on_progress` is called now and then and may call `write_phase`.
-  std::shared_ptr<Frame> render_preview(const std::function<void(const Renderer&)>& on_progress);
+  // Renders a preview; null if it was cancelled. `on_progress` is called now and then and may call `write_phase`. If the
+  // phases of the integrator take long, `publish` receives a frame of another integrator meanwhile.
+  std::shared_ptr<Frame> render_preview(const std::function<void(const Renderer&)>& on_progress,
+                                        const std::function<void(std::shared_ptr<Frame>)>& publish);
 
   // Takes samples for a while. False if it was interrupted before the first one.
   bool render_slice();
@@ -75,6 +77,7 @@ class ProgressiveRender {
   void finish_step();
   bool add_shared_samples();
   bool limit_reached(double seconds);
+  std::shared_ptr<Frame> render_substitute(uint32_t samples);
   bool uses_focus() const;
   void update_focus();
   uint32_t samples_to_limit() const { return focus_ ? renderer_->samples() : samples_; }
@@ -108,6 +111,7 @@ class ProgressiveRender {
 
   PreviewResolution preview_resolution_;
   bool awaits_first_frame_ = false;
+  bool shows_substitute_ = false;           // the last frame is one, of this or an earlier document
   std::shared_ptr<const Preview> preview_;  // shown where the film has no samples yet
   uint64_t paths_in_frame_ = 0;             // paths and samples that the last frame was made of
   uint32_t samples_in_frame_ = 0;

@@ -237,10 +237,11 @@ class Session::Impl {
   // `focus` is that of the slice. If it has been changed since, limits may not have been reached.
   void render_slice(const std::optional<PixelRect>& focus) {
     if (render_.needs_preview()) {
-      publish(render_.render_preview([&](const Renderer& renderer) {
+      const auto write_phase = [&](const Renderer& renderer) {
         const std::lock_guard lock(mutex_);
         render_.write_phase(status_, renderer);
-      }));
+      };
+      publish(render_.render_preview(write_phase, [&](std::shared_ptr<Frame> frame) { publish(std::move(frame)); }));
       return;
     }
     if (!render_.render_slice()) return;

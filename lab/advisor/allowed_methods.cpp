@@ -51,14 +51,15 @@ class Filter {
     // The reference integrator has the same limit on the path depth.
     const render::MethodSettings reference =
         method_with(with_reference_integrator(document, scene).method.integrator, document);
-    needed_ = common(possible_, declared_paths(reference).paths);
-    if (has_point_lights(*document.scene)) needed_of_points_ = common(possible_, declared_paths(reference).point_paths);
+    needed_ = common(possible_, declared_paths(reference, &scene).paths);
+    if (has_point_lights(*document.scene))
+      needed_of_points_ = common(possible_, declared_paths(reference, &scene).point_paths);
   }
 
   // The method with the reason why it is not a candidate, if there is one.
   AllowedMethod examined(const render::MethodSettings& method) const {
     if (std::string reason = refusal(method); !reason.empty()) return {method, reason};
-    const DeclaredPaths declared = declared_paths(method);
+    const DeclaredPaths declared = declared_paths(method, &scene_);
     if (const Automaton rest = without(needed_, declared.paths); !rest.empty()) return {method, missing_text(rest)};
     const Automaton rest = without(needed_of_points_, declared.point_paths);
     return {method, rest.empty() ? "" : missing_text(rest) + " of point lights", rest};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "integrator/integrator.h"
 #include "render/incompatibility.h"
 #include "transport/path_expression/path_expression.h"
 
@@ -30,19 +31,25 @@ std::string paths_up_to(int64_t segments) {
   return text + std::string(static_cast<size_t>(segments - 1), ']') + "L";
 }
 
+// In the declaration of an integrator without scattering media, '.' does not stand for V.
+DeclaredPaths declaration(const integrator::IntegratorInfo& info, const integrator::SampledPaths& sampled) {
+  const Automaton& space = PathExpression::all_of(info.scattering_media).automaton();
+  return {common(automaton_of(sampled.paths), space), common(automaton_of(sampled.point_paths), space)};
+}
+
 }  // namespace
 
 Automaton common(const Automaton& a, const Automaton& b) { return Automaton::intersection(a, b).value_or(a); }
 Automaton without(const Automaton& a, const Automaton& b) { return Automaton::difference(a, b).value_or(a); }
 
 DeclaredPaths declared_paths(const integrator::IntegratorInfo& info) {
-  // In the declaration of an integrator without scattering media, '.' does not stand for V.
-  const Automaton& space = PathExpression::all_of(info.scattering_media).automaton();
-  return {common(automaton_of(info.paths), space), common(automaton_of(info.point_paths), space)};
+  return declaration(info, {info.paths, info.point_paths});
 }
 
-DeclaredPaths declared_paths(const render::MethodSettings& method) {
-  DeclaredPaths declared = declared_paths(*integrator::find_integrator(method.integrator));
+DeclaredPaths declared_paths(const render::MethodSettings& method, const scene::CompiledScene* scene) {
+  const auto integrator = integrator::make_integrator(method.integrator, method.settings_of(method.integrator));
+  DeclaredPaths declared =
+      declaration(*integrator::find_integrator(method.integrator), integrator->sampled_paths(scene));
   const int64_t limit = max_depth_of(method);
   if (limit == 0) return declared;
   const auto limited = PathExpression::parse_paths(paths_up_to(limit));
@@ -51,7 +58,7 @@ DeclaredPaths declared_paths(const render::MethodSettings& method) {
 }
 
 DeclaredPaths declared_paths(const render::Document& document, const scene::CompiledScene& scene) {
-  return render::incompatibility(document, scene).empty() ? declared_paths(document.method) : DeclaredPaths();
+  return render::incompatibility(document, scene).empty() ? declared_paths(document.method, &scene) : DeclaredPaths();
 }
 
 Automaton requested_paths(const render::Document& document) {

@@ -14,9 +14,9 @@ struct DeclaredPaths {
 };
 DeclaredPaths declared_paths(const integrator::IntegratorInfo& info);
 
-// The declaration restricted by the settings of the method: "max-depth" removes longer paths. A depth beyond the number
-// of edges that automata can count is ignored.
-DeclaredPaths declared_paths(const render::MethodSettings& method);
+// The paths that the method samples with its settings in a scene (null: in any scene that they apply to): some settings
+// add paths, and "max-depth" removes longer ones. A depth beyond the number of edges that automata can count is ignored.
+DeclaredPaths declared_paths(const render::MethodSettings& method, const scene::CompiledScene* scene = nullptr);
 
 // The same for the scene of the document; empty if the method is incompatible with it.
 DeclaredPaths declared_paths(const render::Document& document, const scene::CompiledScene& scene);

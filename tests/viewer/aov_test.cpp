@@ -63,6 +63,31 @@ TEST_F(AovInViewport, BouncesSumToTheImage) {
   EXPECT_NEAR(sum, expected, 0.2 * expected);
 }
 
+// The importance is that of the view when the layer was chosen: seen from the side, the same places are bright. Choosing it
+// again makes it that of the new view.
+TEST_F(AovInViewport, ImportanceKeepsTheCameraForWhichItWasChosen) {
+  json steps = small(1);
+  const auto show = [&](const char* report) {
+    steps.push_back(set("view.aov", "importance"));
+    steps.push_back(wait_for("aov"));
+    steps.push_back(file_step("state", path(report)));
+  };
+  show("front.json");
+  steps.push_back(set("camera.eye.x", 0.8));
+  show("side.json");
+  steps.push_back(set("view.aov", "picture"));
+  show("again.json");
+  ASSERT_EQ(run(steps, "cornell"), 0);
+  const auto scale_of = [&](const char* report) {
+    const json aov = state(report)["aov"];
+    EXPECT_EQ(aov["name"], "importance");
+    return aov["scale"].get<std::string>();
+  };
+  const std::string front = scale_of("front.json"), side = scale_of("side.json"), again = scale_of("again.json");
+  EXPECT_NE(side, front) << "another view of the same importance";
+  EXPECT_NE(again, side) << "the importance of the new view";
+}
+
 // A scene without media has no such terms.
 TEST_F(AovInViewport, TermsOfMediaAreForScenesWithMedia) {
   EXPECT_EQ(run(joined(small(1), json::array({set("view.aov", "medium-surface")})), "cornell"), 1);

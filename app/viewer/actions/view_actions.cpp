@@ -130,8 +130,8 @@ void add_display_actions(ActionList& actions) {
   actions.add({.name = "display.next-aov",
                .menu = "View",
                .label = "Next AOV",
-               .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, terms of media, error, denoised; "
-                          "then the image again",
+               .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, parts of the light, importance, "
+                          "error, denoised; then the image again",
                .shortcut = "v",
                .run = show_next_aov,
                .enabled = has_document,
@@ -241,16 +241,15 @@ void add_animation_actions(ActionList& actions) {
                .enabled = is_animated,
                .section = "animation",
                .submenu = "Animation"});
-  actions.add({.name = "animation.clear-range",
-               .menu = "View",
-               .label = "Clear range",
-               .tooltip = "Plays the whole clip again",
-               .run = [](AppState& state) { state.viewport.playback.first = state.viewport.playback.last = {}; },
-               .enabled = [](const AppState& state) {
-                 return state.viewport.playback.first || state.viewport.playback.last;
-               },
-               .section = "animation",
-               .submenu = "Animation"});
+  actions.add(
+      {.name = "animation.clear-range",
+       .menu = "View",
+       .label = "Clear range",
+       .tooltip = "Plays the whole clip again",
+       .run = [](AppState& state) { state.viewport.playback.first = state.viewport.playback.last = {}; },
+       .enabled = [](const AppState& state) { return state.viewport.playback.first || state.viewport.playback.last; },
+       .section = "animation",
+       .submenu = "Animation"});
 }
 
 void add_interface_actions(ActionList& actions) {

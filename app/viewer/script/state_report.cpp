@@ -72,7 +72,7 @@ json aov_report(const AovImage& image) {
   Rgb sum(0);
   for (const Rgb& pixel : image.pixels) sum += pixel;
   const float mean = image.pixels.empty() ? 0 : luminance(sum) / static_cast<float>(image.pixels.size());
-  return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}};
+  return {{"name", image.name}, {"samples", image.samples}, {"mean_luminance", mean}, {"scale", image.scale}};
 }
 
 json pixel_report(const AppState& state, const std::optional<Vec2i>& pixel) {
@@ -166,7 +166,11 @@ std::string state_report(AppState& state) {
          {"phase", status.phase},
          {"obstacle", state.incompatibility()},
          {"scene", editor.document().scene_name},
-         {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}, {"others", selection.others}}},
+         {"selection",
+          {{"node", selection.node},
+           {"material", selection.material},
+           {"light", selection.light},
+           {"others", selection.others}}},
          {"popup_open", state.interface.popup_open},
          {"palette_selection_is_visible", state.ui.items.find("palette.selected") != nullptr},
          {"tab", tab ? tab->info().name : ""},

@@ -8,6 +8,7 @@
 #include "render/aov.h"
 #include "render/light_path_layers.h"
 #include "render/session.h"
+#include "render/transport_audit.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/colormap.h"
 #include "viewer/state/editor.h"
@@ -113,6 +114,35 @@ AovImage radiance_image(std::shared_ptr<const scene::CompiledScene> scene, const
   return image;
 }
 
+// The importance of places for a camera, seen by that of the document. The colours end at a value that one pixel in 200
+// exceeds.
+AovImage importance_image(std::shared_ptr<const scene::CompiledScene> scene, render::Document document,
+                          const Camera& camera, uint64_t version, const std::atomic<bool>& cancelled) {
+  constexpr double kPaths = 1e6, kFewest = 2, kMost = 64;
+  const size_t pixels = static_cast<size_t>(document.width) * static_cast<size_t>(document.height);
+  const Camera view = std::exchange(document.camera, camera);
+  const auto samples = static_cast<uint32_t>(std::clamp(kPaths / static_cast<double>(pixels), kFewest, kMost));
+  const auto compiled = scene::compile(document.scene, camera, std::move(scene), document.height);
+  const auto audit =
+      render::audit_importance(document, compiled, view, samples, 0, 1, [&] { return !cancelled.load(); });
+  if (!audit) return {};
+  const std::vector<float>& values = audit->picture.pixels;
+  auto ranked = values;
+  const auto rank = ranked.begin() + static_cast<std::ptrdiff_t>(pixels - 1 - pixels / 200);
+  std::nth_element(ranked.begin(), rank, ranked.end());
+  const float most = *rank > 0 ? *rank : 1;
+  AovImage image{.name = kImportanceLayer,
+                 .version = version,
+                 .samples = samples,
+                 .scale = formatted("0 to %.2g per m\u00b2, for the view in which it was chosen",
+                                    static_cast<double>(most)),
+                 .width = document.width,
+                 .height = document.height,
+                 .pixels = {}};
+  for (const float v : values) image.pixels.push_back(linear_from_srgb(viridis(std::min(v / most, 1.0f))));
+  return image;
+}
+
 // `features` are those of an earlier image of this version, or null.
 AovImage denoised_image(render::Session& session, const scene::CompiledScene& scene, const render::Document& document,
                         uint64_t version, std::shared_ptr<const render::DenoiseFeatures> features,
@@ -152,6 +182,7 @@ std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene) {
   names.insert(names.end(), parts.begin(), parts.end());
   if (!scene || scene->scatters())
     names.insert(names.end(), render::medium_aov_names().begin(), render::medium_aov_names().end());
+  names.emplace_back(kImportanceLayer);
   names.emplace_back(kErrorLayer);
   names.emplace_back(kDenoisedLayer);
   return names;
@@ -169,7 +200,7 @@ bool AovLayer::is_outdated(const std::string& name) const {
 
 AovLayer::~AovLayer() { cancel(); }
 
-// Ends work that takes long: parts of the radiance and the denoised image. Other work is short and runs to its end.
+// Ends work that takes long: parts of the radiance, the importance and the denoised image. Other work is short and runs to its end.
 void AovLayer::cancel() {
   if (!cancelled_) return;
   cancelled_->store(true);
@@ -188,12 +219,30 @@ void AovLayer::start_denoising(std::shared_ptr<const scene::CompiledScene> scene
       wake_);
 }
 
+void AovLayer::choose_importance_camera(const std::string& name) {
+  const render::Document& document = editor_.document();
+  const bool is_chosen = name == kImportanceLayer && (shown_ != name || importance_scene_ != document.scene_name);
+  shown_ = name;
+  if (!is_chosen) return;
+  importance_scene_ = document.scene_name;
+  importance_camera_ = document.camera;
+  if (image_.name == kImportanceLayer) image_ = {};
+}
+
+void AovLayer::start_importance(std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  task_.start([scene = std::move(scene), document = editor_.document(), camera = importance_camera_, version,
+               cancelled = cancelled_] { return importance_image(scene, document, camera, version, *cancelled); },
+              wake_);
+}
+
 void AovLayer::start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version) {
   requested_ = {.name = name, .version = version};
   cancelled_.reset();
   if (name == kErrorLayer)
     return task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
   if (name == kDenoisedLayer) return start_denoising(std::move(scene), version);
+  if (name == kImportanceLayer) return start_importance(std::move(scene), version);
   if (!is_part_of_radiance(name))
     return task_.start(
         [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
@@ -208,6 +257,7 @@ void AovLayer::start(const std::string& name, std::shared_ptr<const scene::Compi
 
 bool AovLayer::update(const std::string& name, render::Denoiser denoiser) {
   denoiser_ = denoiser;
+  choose_importance_camera(name);
   bool has_new_image = false;
   if (auto image = task_.take_result()) {
     image_ = std::move(*image);

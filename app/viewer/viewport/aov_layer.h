@@ -1,6 +1,6 @@
 // Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, the light of
-// single bounces and path classes, and the terms of the equation of transfer in scenes with participating media. They
-// are computed beside the main rendering, which continues. Parts of the radiance are computed again with more samples
+// single bounces and path classes, the terms of the equation of transfer in scenes with participating media, and the
+// importance of places. They are computed beside the main rendering, which continues. Parts of the radiance are computed again with more samples
 // until they have 256 per pixel. The denoised image (film/denoise/denoise.h) is for display only.
 #pragma once
 #include <atomic>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/camera.h"
 #include "render/denoised_image.h"
 #include "spectrum/rgb.h"
 #include "viewer/tasks/background_task.h"
@@ -42,6 +43,9 @@ struct AovImage {
 inline constexpr const char* kErrorLayer = "error";
 // The name of the denoised image, which is computed from the film, as the error layer is.
 inline constexpr const char* kDenoisedLayer = "denoised";
+// The name of the layer with the importance of places for a camera (render::audit_importance): that of the view when the
+// layer was chosen, so that the view can be moved to look at it from elsewhere.
+inline constexpr const char* kImportanceLayer = "importance";
 // The layers of a scene; null: all layers.
 std::vector<std::string> aov_layer_names(const scene::CompiledScene* scene = nullptr);
 
@@ -66,6 +70,8 @@ class AovLayer {
   };
 
   bool is_outdated(const std::string& name) const;
+  void choose_importance_camera(const std::string& name);
+  void start_importance(std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
   void start_denoising(std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
   void start(const std::string& name, std::shared_ptr<const scene::CompiledScene> scene, uint64_t version);
   void cancel();
@@ -76,6 +82,9 @@ class AovLayer {
   std::shared_ptr<std::atomic<bool>> cancelled_;  // of work that takes long
   BackgroundTask<AovImage> task_;
   Request requested_;  // what the task computes
+  std::string shown_;  // the name in the previous frame
+  std::string importance_scene_;
+  Camera importance_camera_;  // of the scene with this name
   render::Denoiser denoiser_ = render::Denoiser::automatic;
   AovImage image_;
 };

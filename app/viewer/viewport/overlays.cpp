@@ -11,8 +11,8 @@
 #include "spectrum/colormap.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
-#include "viewer/state/object_edits.h"
 #include "viewer/state/document_info.h"
+#include "viewer/state/object_edits.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_overlay.h"
@@ -108,6 +108,15 @@ std::string aov_title(const AppState& state) {
   if (image.name != name) return label + ": computing";
   if (!image.scale.empty()) return label + ", " + image.scale;
   return state.viewport.aov->is_busy() ? label + ": computing" : label;
+}
+
+// Says at the upper edge that the image is not the integrator's.
+void draw_substitute_label(const AppState& state, ImDrawList* draw) {
+  const auto frame = state.session->frame();
+  if (!frame || !frame->is_substitute || !state.viewport.aov_name.empty()) return;
+  draw_label(
+      draw, state.viewport.visible_image().corner + Vec2(ImGui::GetFontSize() * 0.5f),
+      "Path-traced preview, until " + integrator_label(state.document().method.integrator) + " has its first image");
 }
 
 void draw_stored_points(const AppState& state, ImDrawList* draw) {
@@ -208,6 +217,7 @@ void draw_viewport_overlays(AppState& state) {
   draw_comparison_overlay(state, draw);
   for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
   if (state.interface.visible) {
+    draw_substitute_label(state, draw);
     draw_incompatibility(state);
     draw_darkness(state);
   }

@@ -116,6 +116,9 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
 
   auto parameters() { return std::tuple_cat(std::tie(max_depth), path_parameters()); }
 
+  // The paths of the integrator whose light is divided into layers.
+  static IntegratorInfo info() { return *find_integrator("path"); }
+
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState*) const override {
     return std::make_unique<Blocks>(*this, context);
   }

@@ -23,7 +23,8 @@
 // As a hybrid with photon mapping [Lang, sec. 9.6], a caustics map adds the light that reaches z, or the next vertex of
 // the compensation, through mirrors and glass only: ES*(D|G)S+L. No virtual light is connected along these paths.
 //
-//   Paths         ES*[(D|G|V)[(D|G|V).*]]L; point lights: ES*(D|G|V)[(D|G|V).*]L
+//   Paths         ES*[(D|G|V)[(D|G|V).*]]L; point lights: ES*(D|G|V)[(D|G|V).*]L;
+//                 with a caustics map ES*(D|G)S+L too
 //   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
 //                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
@@ -127,6 +128,14 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
+  SampledPaths sampled_paths(const scene::CompiledScene* scene) const final {
+    if (caustic_photons == 0 || (scene && !may_have_caustics(*scene))) return IntegratorBase::sampled_paths(scene);
+    return {"ES*[(D|G|V)[(D|G|V).*]|(D|G)S+]L", "ES*((D|G|V)[(D|G|V).*]|(D|G)S+)L"};
+  }
+
+  // Photons that start in media would find the direct light of these media a second time.
+  static bool may_have_caustics(const scene::CompiledScene& scene) { return !scene.solids().any_medium_emits(); }
+
   VirtualLightPlan plan() const {
     VirtualLightPlan plan;
     plan.subsets = interleave * interleave;
@@ -169,9 +178,8 @@ class IgiState final : public RenderState {
   IgiState(const InstantGlobalIllumination& integrator, const RenderContext& context)
       : integrator_(integrator), context_(context), plan_(integrator.plan()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
-    // Photons that start in media would find the direct light of these media a second time.
     const bool has_caustics = integrator.caustic_photons > 0 && integrator.max_depth != 1 && !context.model->diffuse &&
-                              !context.scene->solids().any_medium_emits();
+                              integrator.may_have_caustics(*context.scene);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
       lights_[half].sample = half;
       if (has_caustics) lights_[half].caustics = std::make_unique<PhotonEmission>(integrator.caustics_plan(), half);

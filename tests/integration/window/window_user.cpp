@@ -19,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Programs with sanitizers need many times as long.
+// Other tests may use all processors meanwhile; programs with sanitizers need many times as long.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kPatience = 10;
 #else
-constexpr int kPatience = 1;
+constexpr int kPatience = 3;
 #endif
 constexpr auto kTimeout = kPatience * std::chrono::seconds(10);
 constexpr auto kStartTimeout = kPatience * std::chrono::seconds(60);

@@ -73,11 +73,10 @@ std::vector<std::string> contradictions(const integrator::IntegratorInfo& info, 
       list.push_back("finds some of " + expression_of(rest));
   std::vector<const advisor::ClassRow*> rows;
   for (const auto& row : table.rows)
-    if (!row.energy.uncertain() &&
-        advisor::without(advisor::common(PathExpression::parse_paths(row.paths)->automaton(),
-                                         PathExpression::without_volumes().automaton()),
-                         declared)
-            .empty())
+    if (!row.energy.uncertain() && advisor::without(advisor::common(PathExpression::parse_paths(row.paths)->automaton(),
+                                                                    PathExpression::without_volumes().automaton()),
+                                                    declared)
+                                       .empty())
       rows.push_back(&row);
   // Biased integrators must only find some light; unbiased integrators must find its amount.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
@@ -148,6 +147,19 @@ TEST(Declared, PointPathsAreASubsetOfThePaths) {
     const advisor::DeclaredPaths found = advisor::declared_paths(info);
     EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
   }
+}
+
+TEST(Declared, ACausticsMapAddsPaths) {
+  const auto declared = [](const char* photons) {
+    const auto igi = changed(cornell(8), "render.integrator", "igi");
+    return advisor::declared_paths(changed(igi, "igi.caustic-photons", photons).method);
+  };
+  const Automaton caustics = PathExpression::parse_paths("ES*(D|G)S+L")->automaton();
+  EXPECT_TRUE(advisor::common(declared("0").paths, caustics).empty());
+  const advisor::DeclaredPaths found = declared("1000");
+  EXPECT_TRUE(advisor::without(caustics, found.paths).empty());
+  EXPECT_TRUE(advisor::without(caustics, found.point_paths).empty());
+  EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty());
 }
 
 TEST(Declared, ADepthLimitRemovesPaths) {

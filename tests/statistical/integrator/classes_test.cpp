@@ -196,12 +196,12 @@ TEST(Classes, PathsEndWhenTheirClassIsDecided) {
 TEST(Classes, RegistryDeclaresValidExpressions) {
   for (const auto& info : integrator::integrator_infos()) {
     EXPECT_TRUE(transport::PathExpression::parse_paths(info.paths)) << info.name << ' ' << info.paths;
-    EXPECT_TRUE(integrator::finds_any(info, ""));
-    EXPECT_TRUE(integrator::finds_any(info, info.paths));
+    EXPECT_TRUE(integrator::finds_any(info.paths, ""));
+    EXPECT_TRUE(integrator::finds_any(info.paths, info.paths));
   }
   const auto* raycast = integrator::find_integrator("raycast");
-  EXPECT_FALSE(integrator::finds_any(*raycast, "EDD+L"));
-  EXPECT_TRUE(integrator::finds_any(*raycast, "ED*L"));
+  EXPECT_FALSE(integrator::finds_any(raycast->paths, "EDD+L"));
+  EXPECT_TRUE(integrator::finds_any(raycast->paths, "ED*L"));
   const auto d = restricted_to(with(cornell(), "render.integrator", "raycast"), "EDD+L");
   EXPECT_EQ(test::mean_of(test::rendered(d, 4)).value, 0);
 }

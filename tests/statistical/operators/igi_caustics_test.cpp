@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
 #include "support/integrator_scenes.h"
 
 namespace etendue::igi_caustics {
@@ -29,6 +31,16 @@ TEST(IgiWithCaustics, AddsTheMissingClass) {
   const double expected = mean(d, 16'384);
   EXPECT_EQ(mean(igi(d, "0"), 4), 0);
   EXPECT_NEAR(mean(with(igi(d, "2000000"), "renew", "off"), 32), expected, 0.05 * expected);
+}
+
+// Without a map, an image of caustics alone is black, and the message says so.
+TEST(IgiWithCaustics, AMapMakesItCompatibleWithCaustics) {
+  const Document d = with(test::balls_under_area_light(), "film.paths", kCaustics);
+  const auto reason = [](const Document& document) {
+    return render::incompatibility(document, *scene::compile(document.scene, document.camera, nullptr));
+  };
+  EXPECT_NE(reason(igi(d, "0")).find("none of ES*(D|G)S+L: the image will be black"), std::string::npos);
+  EXPECT_EQ(reason(igi(d, "20000")), "");
 }
 
 // All other classes are those of igi without a map, bit for bit.

@@ -36,6 +36,33 @@ TEST(Session, AnotherSeedIsAnotherImage) {
   EXPECT_FALSE(same_bits(a, test::rendered(d, 4)));
 }
 
+// An image of radiosity begins with form factors, which take seconds here. Meanwhile there is a frame by path tracing, also
+// of an edit. Without previews there is none.
+TEST(Session, LongPhasesAreBridgedByASubstitute) {
+  render::Document d = test::cornell(300);
+  d = *render::with_text(d, "render.integrator", "radiosity");
+  d = *render::with_text(d, "radiosity.patches", "3000");
+  d = *render::with_text(d, "radiosity.rays", "4096");
+  render::Session session({.interactive = true});
+  const auto frame_of = [&](const render::Document& document) {
+    const uint64_t version = session.submit(document);
+    while (!session.frame() || session.frame()->version < version)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return session.frame();
+  };
+  EXPECT_TRUE(frame_of(d)->is_substitute);
+  EXPECT_GT(session.frame()->preview_scale, 1);
+  d.camera.yfov *= 1.1f;
+  EXPECT_TRUE(frame_of(d)->is_substitute);
+  // Fewer patches are soon ready.
+  d = *render::with_text(d, "radiosity.patches", "100");
+  d = *render::with_text(d, "radiosity.rays", "64");
+  d.limits.samples = 1;
+  session.submit(d);
+  session.finish();
+  EXPECT_FALSE(session.frame()->is_substitute);
+}
+
 TEST(Session, LargerModelsGiveTheSameImage) {
   for (const auto& d : {test::cornell(48), test::glossy_scene()})
     for (const char* integrator : {"path", "path-pure", "raycast", "whitted", "distribution"}) {
