@@ -232,9 +232,6 @@ int measure(const std::string& scene, int patches, int frames) {
   RayCaster rays(gl, *document);
   const auto solution = rays.solution();
   const Rasteriser rasteriser(gl, *solution);
-  rasteriser.draw(transform_of(document->camera));
-  std::printf("%zu patches; mean radiance of the first image: rays %.4f, which see emission too, rasterised %.4f\n",
-              solution->patches.size(), rays.mean(), rasteriser.mean());
   rays.first_frames();
   std::vector<double> cast, drawn;
   for (int i = 0; i < frames; ++i) {
@@ -248,6 +245,13 @@ int measure(const std::string& scene, int patches, int frames) {
   row("rays, one sample", cast);
   row("rays, first frame", rays.first_frames());
   row("rasterised", drawn);
+
+  // Rasterised patches do not emit.
+  document->method.paths = "ED+L";
+  rays.frame_at(*document);
+  rasteriser.draw(transform_of(document->camera));
+  std::printf("%zu patches; mean radiance of reflected light: rays %.5f, rasterised %.5f\n", solution->patches.size(),
+              rays.mean(), rasteriser.mean());
   return 0;
 }
 
