@@ -250,7 +250,8 @@ class RadiosityState final : public RenderState {
   }
 
   std::shared_ptr<const SolutionView> solution_view() const override {
-    if (!solutions_[0]) return nullptr;
+    if (is_refused_) return nullptr;
+    if (!solutions_[0]) return std::make_shared<const SolutionView>();  // the mesh is being refined
     auto view = view_of(mesh(), reflectance_, *solutions_[0]);
     view->solver = Options<radiosity::SolverKind>::kOptions[static_cast<size_t>(integrator_.solver.value)].label;
     return view;
