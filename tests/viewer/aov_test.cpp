@@ -3,7 +3,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::aov_test {
 namespace {
 
 class AovInViewport : public Viewer {};
@@ -120,4 +120,4 @@ TEST_F(AovInViewport, DenoisedImageIsOnlyDisplayed) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::aov_test

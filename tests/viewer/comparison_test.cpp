@@ -7,7 +7,7 @@
 #include "scripted.h"
 #include "spectrum/colormap.h"
 
-namespace etendue {
+namespace etendue::comparison_test {
 namespace {
 
 constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
@@ -311,4 +311,4 @@ TEST(DifferenceMap, FlipUsesTheDisplayedExposure) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::comparison_test

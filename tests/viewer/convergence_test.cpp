@@ -6,7 +6,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::convergence_test {
 namespace {
 
 // Waits until each method has this many samples; and until the comparison has stopped and files are written.
@@ -204,4 +204,4 @@ TEST_F(ConvergencePanel, ParetoChartOffersItsMethods) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::convergence_test

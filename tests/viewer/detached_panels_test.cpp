@@ -1,16 +1,21 @@
 // Panels in windows of their own.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::detached_panels_test {
 namespace {
 
 TEST_F(Viewer, DetachedPanelsStayOpenBesideOthersAndReturn) {
-  const auto steps = joined(
-      small(), json::array({click("panel.histogram"), click("layout.detach"), file_step("state", path("detached.json")),
-                            click("panel.convergence"), wait_for("histogram"), file_step("state", path("both.json")),
-                            {{"do", "drag"}, {"item", "detached.panel.histogram"}, {"by", {60, 40}}},
-                            file_step("state", path("moved.json")), click("panel.histogram"),
-                            file_step("state", path("returned.json"))}));
+  const auto steps =
+      joined(small(), json::array({click("panel.histogram"),
+                                   click("layout.detach"),
+                                   file_step("state", path("detached.json")),
+                                   click("panel.convergence"),
+                                   wait_for("histogram"),
+                                   file_step("state", path("both.json")),
+                                   {{"do", "drag"}, {"item", "detached.panel.histogram"}, {"by", {60, 40}}},
+                                   file_step("state", path("moved.json")),
+                                   click("panel.histogram"),
+                                   file_step("state", path("returned.json"))}));
   ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
   ASSERT_TRUE(state("both.json")["detached"].contains("panel.histogram"));
   EXPECT_EQ(state("detached.json")["bottom_panel"], "");
@@ -25,10 +30,11 @@ TEST_F(Viewer, DetachedPanelsStayOpenBesideOthersAndReturn) {
 
 TEST_F(Viewer, TabsOfTheRightColumnAreDetachedByTheirMenu) {
   const json menu{{"do", "click"}, {"item", "tab.material"}, {"button", "right"}};
-  const auto steps = joined(
-      small(), json::array({click("tab.material"), menu, click("tab-menu.detach"), file_step("state", path("detached.json")),
-                            set("material.5.roughness", 0.25), set("camera.exposure", 1.0), file_step("state", path("edited.json")),
-                            click("view.tab.material"), file_step("state", path("returned.json"))}));
+  const auto steps =
+      joined(small(), json::array({click("tab.material"), menu, click("tab-menu.detach"),
+                                   file_step("state", path("detached.json")), set("material.5.roughness", 0.25),
+                                   set("camera.exposure", 1.0), file_step("state", path("edited.json")),
+                                   click("view.tab.material"), file_step("state", path("returned.json"))}));
   ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
   EXPECT_TRUE(state("detached.json")["detached"].contains("tab.material"));
   EXPECT_NE(state("detached.json")["tab"], "tab.material");
@@ -39,4 +45,4 @@ TEST_F(Viewer, TabsOfTheRightColumnAreDetachedByTheirMenu) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::detached_panels_test

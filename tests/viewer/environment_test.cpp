@@ -4,7 +4,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::environment_test {
 namespace {
 
 json turn(double dx) {
@@ -18,8 +18,10 @@ class EnvironmentDrag : public Viewer {
 };
 
 TEST_F(EnvironmentDrag, TurnsInOneStepOfUndo) {
-  ASSERT_EQ(run(joined(small(), json::array({file_step("state", path("a.json")), turn(100), file_step("state", path("b.json")), turn(-100),
-                                             file_step("state", path("c.json")), key("ctrl+z"), key("ctrl+z"), file_step("state", path("d.json"))})),
+  ASSERT_EQ(run(joined(small(),
+                       json::array({file_step("state", path("a.json")), turn(100), file_step("state", path("b.json")),
+                                    turn(-100), file_step("state", path("c.json")), key("ctrl+z"), key("ctrl+z"),
+                                    file_step("state", path("d.json"))})),
                 "new"),
             0);
   const double a = rotation("a.json"), b = rotation("b.json");
@@ -56,19 +58,24 @@ TEST_F(EnvironmentDrag, FollowsThePointer) {
   for (int i = 0; i < kAngles; ++i)
     if (const int x = column("r" + std::to_string(i) + ".exr"); x > 40 && x < 130) angle = i;
   ASSERT_GE(angle, 0) << "the sun is never in view";
-  ASSERT_EQ(run(joined(joined(joined(start, at_angle(angle)), json::array({turn(30)})), image("turned.exr")), "new"), 0);
+  ASSERT_EQ(run(joined(joined(joined(start, at_angle(angle)), json::array({turn(30)})), image("turned.exr")), "new"),
+            0);
   EXPECT_GT(column("turned.exr"), column("r" + std::to_string(angle) + ".exr") + 5);
 }
 
 TEST_F(EnvironmentDrag, ChangesNothingWithoutAnEnvironment) {
-  ASSERT_EQ(run(joined(small(), json::array({file_step("state", path("a.json")), turn(100), file_step("state", path("b.json"))})), "cornell"), 0);
+  ASSERT_EQ(run(joined(small(), json::array({file_step("state", path("a.json")), turn(100),
+                                             file_step("state", path("b.json"))})),
+                "cornell"),
+            0);
   EXPECT_EQ(state("a.json")["parameters"], state("b.json")["parameters"]);
   EXPECT_EQ(state("a.json")["undo_depth"], state("b.json")["undo_depth"]);
 }
 
 TEST_F(EnvironmentDrag, StrengthScalesTheLuminance) {
-  ASSERT_EQ(run(joined(small(), json::array({set("environment.tint.r", 1), set("environment.tint.g", 0.5), set("environment.tint.b", 0.25),
-                                             set("environment.strength", 2), file_step("state", path("s.json"))})),
+  ASSERT_EQ(run(joined(small(), json::array({set("environment.tint.r", 1), set("environment.tint.g", 0.5),
+                                             set("environment.tint.b", 0.25), set("environment.strength", 2),
+                                             file_step("state", path("s.json"))})),
                 "new"),
             0);
   const json p = state("s.json")["parameters"];
@@ -81,7 +88,8 @@ TEST_F(EnvironmentDrag, StrengthScalesTheLuminance) {
 TEST_F(Viewer, ParametersOfLightsAreFoundInTheLightPanel) {
   ASSERT_EQ(run(joined(small(), json::array({click("view.tab.scene"), click("add.light.spot"), set("light.0.range", 5),
                                              file_step("state", path("s.json")), set("render.integrator", "light"),
-                                             click("view.tab.scene"), set("light.max-depth", 3), file_step("state", path("t.json"))})),
+                                             click("view.tab.scene"), set("light.max-depth", 3),
+                                             file_step("state", path("t.json"))})),
                 "new", 1280, 720),
             0);
   EXPECT_EQ(state("s.json")["tab"], "tab.light");
@@ -90,4 +98,4 @@ TEST_F(Viewer, ParametersOfLightsAreFoundInTheLightPanel) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::environment_test

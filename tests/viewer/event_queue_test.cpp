@@ -3,7 +3,7 @@
 
 #include "viewer/platform/input.h"
 
-namespace etendue {
+namespace etendue::event_queue_test {
 namespace {
 
 using viewer::Button;
@@ -91,4 +91,4 @@ TEST(EventQueue, AClickKeepsItsModifierAndItsPosition) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::event_queue_test

@@ -4,7 +4,7 @@
 #include "scene/gltf/save_gltf.h"
 #include "viewer/scripted.h"
 
-namespace etendue {
+namespace etendue::export_scene_test {
 namespace {
 
 class ExportScene : public Viewer {
@@ -36,4 +36,4 @@ TEST_F(ExportScene, ShortcutOpensTheDialog) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::export_scene_test

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace etendue {
+namespace etendue::file_dialog_test {
 namespace {
 
 class FileDialog : public Viewer {};
@@ -134,4 +134,4 @@ TEST_F(FileDialog, ThumbnailsAreReducedImagesAndRenderedScenes) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::file_dialog_test

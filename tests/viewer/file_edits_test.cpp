@@ -6,7 +6,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace etendue {
+namespace etendue::file_edits_test {
 namespace {
 
 using viewer::FileEdits;
@@ -72,4 +72,4 @@ TEST(FileEdits, CancelledOnesAreNotMade) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::file_edits_test

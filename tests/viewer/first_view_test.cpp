@@ -6,7 +6,7 @@
 #include "scene/gltf/save_gltf.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::first_view_test {
 namespace {
 
 using viewer::camera_for_navigation;
@@ -276,4 +276,4 @@ TEST_F(FirstView, AnimationsPlayWithoutEditingTheScene) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::first_view_test

@@ -1,7 +1,7 @@
 // The region of interest receives all samples. It is not an edit of the document.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::focus_region_test {
 namespace {
 
 json drag(Vec2 from, Vec2 to) { return {{"do", "drag"}, {"from", {from.x, from.y}}, {"to", {to.x, to.y}}}; }
@@ -10,18 +10,12 @@ json drag(Vec2 from, Vec2 to) { return {{"do", "drag"}, {"from", {from.x, from.y
 const Vec2 kFrom(200, 150), kTo(300, 260);
 
 TEST_F(Viewer, RegionReceivesTheSamplesUntilItIsCleared) {
-  const auto steps = joined(small(16), json::array({file_step("state", path("before.json")),
-                                                    file_step("image", path("before.exr")),
-                                                    set("render.samples", 80),
-                                                    key("b"),
-                                                    drag(kFrom, kTo),
-                                                    wait_for("limit"),
-                                                    file_step("state", path("region.json")),
-                                                    file_step("image", path("region.exr")),
-                                                    click("view.clear-region"),
-                                                    wait_for("limit"),
-                                                    file_step("state", path("cleared.json")),
-                                                    file_step("image", path("cleared.exr"))}));
+  const auto steps = joined(
+      small(16), json::array({file_step("state", path("before.json")), file_step("image", path("before.exr")),
+                              set("render.samples", 80), key("b"), drag(kFrom, kTo), wait_for("limit"),
+                              file_step("state", path("region.json")), file_step("image", path("region.exr")),
+                              click("view.clear-region"), wait_for("limit"), file_step("state", path("cleared.json")),
+                              file_step("image", path("cleared.exr"))}));
   ASSERT_EQ(run(steps), 0);
   const json region = state("region.json"), cleared = state("cleared.json");
   ASSERT_FALSE(region["region"].is_null());
@@ -46,16 +40,11 @@ TEST_F(Viewer, RegionReceivesTheSamplesUntilItIsCleared) {
 }
 
 TEST_F(Viewer, RegionIsClearedByEscapeAndTheCameraKeepsItsPlace) {
-  const auto steps = joined(small(4), json::array({file_step("state", path("before.json")),
-                                                   click("view.region"),
-                                                   drag(kFrom, kTo),
-                                                   file_step("state", path("region.json")),
-                                                   key("escape"),
-                                                   file_step("state", path("escaped.json")),
-                                                   key("b"),
-                                                   key("escape"),
-                                                   drag(kFrom, kTo),
-                                                   file_step("state", path("orbit.json"))}));
+  const auto steps = joined(
+      small(4),
+      json::array({file_step("state", path("before.json")), click("view.region"), drag(kFrom, kTo),
+                   file_step("state", path("region.json")), key("escape"), file_step("state", path("escaped.json")),
+                   key("b"), key("escape"), drag(kFrom, kTo), file_step("state", path("orbit.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("region.json")["parameters"], state("before.json")["parameters"]);
   EXPECT_TRUE(state("escaped.json")["region"].is_null());
@@ -79,4 +68,4 @@ TEST_F(Viewer, RegionSaysWhyItReceivesNoSamples) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::focus_region_test

@@ -5,7 +5,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::full_disk_test {
 namespace {
 
 class FullDisk : public Viewer {
@@ -90,4 +90,4 @@ TEST_F(FullDisk, TheJournalSaysThatItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::full_disk_test

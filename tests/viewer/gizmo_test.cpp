@@ -3,7 +3,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::gizmo_test {
 namespace {
 
 json drag_handle(const std::string& item, double x, double y) {
@@ -121,4 +121,4 @@ TEST_F(Gizmo, DeletingTheObjectEndsTheHandles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::gizmo_test

@@ -4,7 +4,7 @@
 #include "render/document.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::image_fit_test {
 namespace {
 
 class ImageFit : public Viewer {
@@ -67,4 +67,4 @@ TEST_F(ImageFit, KeepsALongRendering) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::image_fit_test

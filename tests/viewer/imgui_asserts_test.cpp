@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-namespace etendue {
+namespace etendue::imgui_asserts_test {
 namespace {
 
 TEST(ImguiAssertsDeathTest, AViolationAborts) {
@@ -16,4 +16,4 @@ TEST(ImguiAssertsDeathTest, AViolationAborts) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::imgui_asserts_test

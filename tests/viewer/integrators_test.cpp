@@ -8,7 +8,7 @@
 #include "viewer/state/document_info.h"
 #include "viewer/tasks/technique_task.h"
 
-namespace etendue {
+namespace etendue::integrators_test {
 namespace {
 
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
@@ -83,12 +83,17 @@ TEST_F(Integrators, MissingPathsAreMeasuredAutomatically) {
 
 // The first image is rendered with the present integrator. The choice is one step of undo and is not repeated after it.
 TEST_F(Integrators, AutomaticChoosesAnIntegratorAndSaysSo) {
-  const auto steps = joined(
-      small(), steps_of({click("tab.render"), set("render.integrator", "auto"), file_step("state", path("a.json")),
-                         wait_for("automatic"), file_step("state", path("b.json")),
-                         file_step("screenshot", path("b.png")), key("ctrl+z"), {{"do", "wait"}, {"spp", 1}},
-                         file_step("state", path("c.json")), set("render.integrator", "path"),
-                         file_step("state", path("d.json"))}));
+  const auto steps = joined(small(), steps_of({click("tab.render"),
+                                               set("render.integrator", "auto"),
+                                               file_step("state", path("a.json")),
+                                               wait_for("automatic"),
+                                               file_step("state", path("b.json")),
+                                               file_step("screenshot", path("b.png")),
+                                               key("ctrl+z"),
+                                               {{"do", "wait"}, {"spp", 1}},
+                                               file_step("state", path("c.json")),
+                                               set("render.integrator", "path"),
+                                               file_step("state", path("d.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("a.json")["automatic"]["reason"], "");
   EXPECT_EQ(state("a.json")["automatic"]["integrator"], "path");
@@ -103,10 +108,10 @@ TEST_F(Integrators, AutomaticChoosesAnIntegratorAndSaysSo) {
 }
 
 TEST_F(Integrators, AutomaticCanBeRepeated) {
-  const auto steps = joined(small(), steps_of({click("tab.render"), set("render.integrator", "auto"),
-                                               set("auto.allow", "consistent"), wait_for("automatic"),
-                                               click("integrator.choose-again"), file_step("state", path("a.json")),
-                                               wait_for("automatic"), file_step("state", path("b.json"))}));
+  const auto steps = joined(
+      small(), steps_of({click("tab.render"), set("render.integrator", "auto"), set("auto.allow", "consistent"),
+                         wait_for("automatic"), click("integrator.choose-again"), file_step("state", path("a.json")),
+                         wait_for("automatic"), file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("a.json")["automatic"]["reason"], "");
   EXPECT_NE(state("b.json")["automatic"]["reason"], "");
@@ -190,7 +195,8 @@ TEST_F(Techniques, ImagesAddUpToTheImageOfTheIntegrator) {
   EXPECT_NEAR(a["techniques"]["sum"]["share"].get<double>(), 1, 1e-3);
   double variance = 0;
   for (const auto& cell : a["techniques"]["cells"])
-    if (cell.contains("share")) variance += std::pow(cell["standard_error"].get<double>() / a["techniques"]["mean"].get<double>(), 2);
+    if (cell.contains("share"))
+      variance += std::pow(cell["standard_error"].get<double>() / a["techniques"]["mean"].get<double>(), 2);
   EXPECT_GT(a["techniques"]["sum"]["error"].get<double>(), std::sqrt(variance));
   EXPECT_LT(a["techniques"]["sum"]["error"].get<double>(), 0.5);
   // Without MIS weights, each technique estimates the whole image.
@@ -241,7 +247,8 @@ TEST(TechniqueSet, AddAndRemove) {
 // Messages name parameters as the panels do, also those of an integrator, and of another one than the document's.
 TEST(LabelledMessages, NameTheParametersOfTheIntegrator) {
   const render::Document d = *render::new_document("cornell");
-  const auto message = viewer::with_labels(d, "radiosity: the surface is not diffuse; set radiosity.surfaces to approximate");
+  const auto message =
+      viewer::with_labels(d, "radiosity: the surface is not diffuse; set radiosity.surfaces to approximate");
   EXPECT_EQ(message.text.find("radiosity."), std::string::npos) << message.text;
   EXPECT_TRUE(message.text.starts_with("Radiosity: ")) << message.text;
   EXPECT_TRUE(message.parameters.empty()) << "the document has no such parameter";
@@ -251,4 +258,4 @@ TEST(LabelledMessages, NameTheParametersOfTheIntegrator) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::integrators_test

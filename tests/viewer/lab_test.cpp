@@ -1,7 +1,7 @@
 // The Lab panel: experiments run in the background, again after each change of a parameter.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::lab_test {
 namespace {
 
 class LabPanel : public Viewer {};
@@ -39,4 +39,4 @@ TEST_F(LabPanel, RefusesValuesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lab_test

@@ -3,7 +3,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::lens_test {
 namespace {
 
 TEST_F(Viewer, FocalLengthAndFNumberEditTheCamera) {
@@ -36,4 +36,4 @@ TEST_F(Viewer, FocalLengthAndFNumberEditTheCamera) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lens_test

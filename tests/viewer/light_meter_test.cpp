@@ -3,7 +3,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::light_meter_test {
 namespace {
 
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
@@ -108,4 +108,4 @@ TEST_F(LightMeterPanel, WaitFailsWithoutAMeasurement) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_meter_test

@@ -7,7 +7,7 @@
 #include "scene/gltf/save_gltf.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::lit_view_test {
 namespace {
 
 using viewer::seen_surfaces;
@@ -101,4 +101,4 @@ TEST_F(LitView, NeitherCommandLeavesABlackImage) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::lit_view_test

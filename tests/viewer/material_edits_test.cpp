@@ -4,7 +4,7 @@
 #include "render/material_settings.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::material_edits_test {
 namespace {
 
 json wait(int samples) { return {{"do", "wait"}, {"spp", samples}}; }
@@ -69,9 +69,9 @@ TEST_F(MaterialEditing, TexturesAreRestored) {
 }
 
 TEST_F(MaterialEditing, EveryEditIsOneStepOfUndo) {
-  json steps = json::array({state_after("before.json"), click("material.add"), state_after("added.json"),
-                            key("ctrl+z"), state_after("undone.json"), key("ctrl+shift+z"), state_after("redone.json"),
-                            key("ctrl+z"), click("material.choose"), click("material.choose.0")});
+  json steps = json::array({state_after("before.json"), click("material.add"), state_after("added.json"), key("ctrl+z"),
+                            state_after("undone.json"), key("ctrl+shift+z"), state_after("redone.json"), key("ctrl+z"),
+                            click("material.choose"), click("material.choose.0")});
   steps = joined(steps, loads_texture("base-color", "picture.png"));
   steps = joined(steps, json::array({state_after("textured.json"), click("material.texture.base-color.remove"),
                                      state_after("removed.json"), key("ctrl+z"), state_after("again.json"),
@@ -97,11 +97,11 @@ TEST_F(MaterialEditing, FilesThatAreNotPicturesChangeNothing) {
 }
 
 TEST_F(MaterialEditing, MaterialInUseIsNotDeleted) {
-  ASSERT_EQ(run(with_material(json::array({state_after("before.json"), click("material.delete"),
-                                           state_after("used.json"), click("material.add"), click("material.delete"),
-                                           state_after("unused.json")})),
-                "", 1280, 720),
-            0);
+  ASSERT_EQ(
+      run(with_material(json::array({state_after("before.json"), click("material.delete"), state_after("used.json"),
+                                     click("material.add"), click("material.delete"), state_after("unused.json")})),
+          "", 1280, 720),
+      0);
   EXPECT_EQ(state("before.json")["undo_depth"], state("used.json")["undo_depth"]);
   EXPECT_EQ(state("unused.json")["selection"]["material"], -1);
 }
@@ -156,4 +156,4 @@ TEST_F(MaterialEditing, AFullDiskForTheLibraryIsAnError) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::material_edits_test

@@ -1,7 +1,7 @@
 // Several selected objects: edits of all of them in one step, parents and children.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::multiple_selection_test {
 namespace {
 
 json wait(int samples) { return {{"do", "wait"}, {"spp", samples}}; }
@@ -15,8 +15,7 @@ class MultipleSelection : public Viewer {
 
   // Two boxes of the Cornell box, the second one active.
   static json with_two(const json& steps) {
-    const json selection =
-        json::array({click("view.tab.scene"), click("scene.node.5"), extend("scene.node.6")});
+    const json selection = json::array({click("view.tab.scene"), click("scene.node.5"), extend("scene.node.6")});
     return Viewer::joined(Viewer::joined(small(), selection), steps);
   }
   // How many values of parameters of all nodes differ.
@@ -55,11 +54,20 @@ TEST_F(MultipleSelection, ClicksInTheImageExtendTheSelection) {
 }
 
 TEST_F(MultipleSelection, EditsOfAllAreOneStep) {
-  ASSERT_EQ(run(with_two(json::array(
-                    {state_after("start.json"), click("object.hide"), state_after("hidden.json"), key("ctrl+z"),
-                     state_after("shown.json"), key("g"), {{"do", "drag"}, {"item", "gizmo.x"}, {"by", {30, 0}}},
-                     state_after("moved.json"), key("ctrl+z"), key("g"), click("object.duplicate"),
-                     state_after("copies.json"), key("ctrl+z"), state_after("end.json")})),
+  ASSERT_EQ(run(with_two(json::array({state_after("start.json"),
+                                      click("object.hide"),
+                                      state_after("hidden.json"),
+                                      key("ctrl+z"),
+                                      state_after("shown.json"),
+                                      key("g"),
+                                      {{"do", "drag"}, {"item", "gizmo.x"}, {"by", {30, 0}}},
+                                      state_after("moved.json"),
+                                      key("ctrl+z"),
+                                      key("g"),
+                                      click("object.duplicate"),
+                                      state_after("copies.json"),
+                                      key("ctrl+z"),
+                                      state_after("end.json")})),
                 "", 1280, 720),
             0);
   const int depth = state("start.json")["undo_depth"].get<int>();
@@ -121,4 +129,4 @@ TEST_F(MultipleSelection, RowsOfTheTreeAreDroppedOnTheirParent) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::multiple_selection_test

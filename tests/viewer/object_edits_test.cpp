@@ -5,7 +5,7 @@
 #include "scene/gltf/load_gltf.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::object_edits_test {
 namespace {
 
 json wait(int samples) { return {{"do", "wait"}, {"spp", samples}}; }
@@ -93,4 +93,4 @@ TEST_F(ObjectEdits, SaveWritesTheObjectsOfASession) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::object_edits_test

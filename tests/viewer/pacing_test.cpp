@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::pacing_test {
 namespace {
 
 using viewer::Pacing;
@@ -36,4 +36,4 @@ TEST(Pacing, SingleSlowFrameHasNoLastingEffect) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::pacing_test

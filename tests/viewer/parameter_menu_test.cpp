@@ -3,7 +3,7 @@
 #include "spectrum/rgb.h"
 #include "viewer/viewport/srgb.h"
 
-namespace etendue {
+namespace etendue::parameter_menu_test {
 namespace {
 
 class ParameterMenu : public Viewer {
@@ -59,4 +59,4 @@ TEST_F(ParameterMenu, TypedColoursAreSrgb) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::parameter_menu_test

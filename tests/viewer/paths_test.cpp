@@ -1,7 +1,7 @@
 // The Paths panel and the recommendation of a method.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::paths_test {
 namespace {
 
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
@@ -120,4 +120,4 @@ TEST_F(PathsPanel, EditCancelsTheRecommendation) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::paths_test

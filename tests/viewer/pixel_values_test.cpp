@@ -4,7 +4,7 @@
 #include "image/display.h"
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::pixel_values_test {
 namespace {
 
 class PixelValues : public Viewer {};
@@ -90,9 +90,7 @@ TEST_F(PixelValues, WindowIsDraggedAndKeepsItsPlace) {
     options.height = 720;
     return viewer::run_viewer(options);
   };
-  const auto drag = [](int x, int y) {
-    return json{{"do", "drag"}, {"item", "pixel-values.window"}, {"by", {x, y}}};
-  };
+  const auto drag = [](int x, int y) { return json{{"do", "drag"}, {"item", "pixel-values.window"}, {"by", {x, y}}}; };
   const json start = json::array({{{"do", "wait"}, {"spp", 1}}, key("i")});
   ASSERT_EQ(run_with_settings(joined(start, json::array({file_step("state", path("first.json")), drag(-300, 200),
                                                          file_step("state", path("moved.json"))}))),
@@ -112,17 +110,16 @@ TEST_F(PixelValues, WindowIsDraggedAndKeepsItsPlace) {
 
 // An exposure that changes within half a second of a computation is taken up without an event.
 TEST_F(PixelValues, HistogramIsNeverOutdatedForLong) {
-  const json steps =
-      joined(small(4), json::array({click("panel.histogram"),
-                                    wait_for("histogram"),
-                                    set("camera.exposure", 4),
-                                    wait_for("histogram"),
-                                    set("camera.exposure", 10),
-                                    {{"do", "wait"}, {"seconds", 0.9}},
-                                    file_step("state", path("after.json"))}));
+  const json steps = joined(small(4), json::array({click("panel.histogram"),
+                                                   wait_for("histogram"),
+                                                   set("camera.exposure", 4),
+                                                   wait_for("histogram"),
+                                                   set("camera.exposure", 10),
+                                                   {{"do", "wait"}, {"seconds", 0.9}},
+                                                   file_step("state", path("after.json"))}));
   ASSERT_EQ(run(steps, "cornell"), 0);
   EXPECT_GT(state("after.json")["histogram"]["above_white"].get<double>(), 0.8);
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::pixel_values_test

@@ -6,7 +6,7 @@
 #include "scripted.h"
 #include "viewer/state/notices.h"
 
-namespace etendue {
+namespace etendue::preferences_test {
 namespace {
 
 class Preferences : public Viewer {
@@ -149,7 +149,8 @@ TEST_F(Viewer, FilterOfBottomPanelsHidesOtherParameters) {
                                                             {"panel.trace", "trace.sample"}};
   for (const auto& [panel, parameter] : parameters) {
     const auto click_parameter = [&](const std::string& filter) {
-      return json::array({set("render.integrator", "bdpt"), click(panel), set("layout.bottom-filter", filter), click(parameter)});
+      return json::array(
+          {set("render.integrator", "bdpt"), click(panel), set("layout.bottom-filter", filter), click(parameter)});
     };
     EXPECT_NE(run(click_parameter("no such text")), 0) << panel;
     const std::string name = parameter;
@@ -185,4 +186,4 @@ TEST_F(Viewer, RandomUserDoesNoHarm) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::preferences_test

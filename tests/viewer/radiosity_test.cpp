@@ -1,7 +1,7 @@
 // The Radiosity panel: the residual of the solver, and patches over the image.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::radiosity_test {
 namespace {
 
 class RadiosityPanel : public Viewer {
@@ -47,4 +47,4 @@ TEST_F(RadiosityPanel, SaysThatOtherIntegratorsHaveNoSolution) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::radiosity_test

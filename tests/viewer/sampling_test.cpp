@@ -6,7 +6,7 @@
 #include "viewer/tasks/pixel_samples_task.h"
 #include "viewer/tasks/point_playback.h"
 
-namespace etendue {
+namespace etendue::sampling_test {
 namespace {
 
 class SamplingPanel : public Viewer {};
@@ -61,8 +61,8 @@ TEST_F(SamplingPanel, AllDimensionsCanBeSelectedAndUnknownOnesAreRefused) {
   const auto steps = joined(
       small(),
       json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"),
-                   set("sampling.y", "vertex-4.roulette"), set("sampling.points", 2048), set("sampling.compare", "blue-noise"),
-                   set("sampling.intervals", "columns"),
+                   set("sampling.y", "vertex-4.roulette"), set("sampling.points", 2048),
+                   set("sampling.compare", "blue-noise"), set("sampling.intervals", "columns"),
                    file_step("screenshot", path("a.png")), kWaitForSamples, file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("a.json").contains("pixel"));
@@ -74,9 +74,9 @@ TEST_F(SamplingPanel, AllDimensionsCanBeSelectedAndUnknownOnesAreRefused) {
 // At a wall of the Cornell box: every path draws a direction and a light sample there, and ends by roulette later.
 TEST_F(SamplingPanel, DrawnDimensionsAreThoseOfThePathsOfThePixel) {
   const auto of_integrator = [&](const char* integrator) {
-    const auto steps = joined(small(), json::array({set("render.integrator", integrator), set("sampling.samples", 64),
-                                                    click("sampling.pick"), click_at(300, 200), kWaitForSamples,
-                                                    file_step("state", path("a.json"))}));
+    const auto steps = joined(
+        small(), json::array({set("render.integrator", integrator), set("sampling.samples", 64), click("sampling.pick"),
+                              click_at(300, 200), kWaitForSamples, file_step("state", path("a.json"))}));
     EXPECT_EQ(run(steps), 0);
     return state("a.json")["pixel"]["drawn_dimensions"];
   };
@@ -91,12 +91,18 @@ TEST_F(SamplingPanel, DrawnDimensionsAreThoseOfThePathsOfThePixel) {
 }
 
 TEST_F(SamplingPanel, PointsAppearOneByOne) {
-  const auto steps = joined(
-      small(), json::array({set("sampling.samples", 64), set("sampling.points", 4096), click("sampling.pick"),
-                            click_at(300, 200), kWaitForSamples, file_step("state", path("all.json")),
-                            click("sampling.play"), {{"do", "wait"}, {"seconds", 0.3}},
-                            file_step("state", path("playing.json")), click("sampling.play"),
-                            {{"do", "wait"}, {"seconds", 0.2}}, file_step("state", path("ended.json"))}));
+  const auto steps = joined(small(), json::array({set("sampling.samples", 64),
+                                                  set("sampling.points", 4096),
+                                                  click("sampling.pick"),
+                                                  click_at(300, 200),
+                                                  kWaitForSamples,
+                                                  file_step("state", path("all.json")),
+                                                  click("sampling.play"),
+                                                  {{"do", "wait"}, {"seconds", 0.3}},
+                                                  file_step("state", path("playing.json")),
+                                                  click("sampling.play"),
+                                                  {{"do", "wait"}, {"seconds", 0.2}},
+                                                  file_step("state", path("ended.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("all.json")["pixel"]["points"], 4096);
   const json playing = state("playing.json")["pixel"];
@@ -160,4 +166,4 @@ TEST(Histogram, ZerosHaveNoBins) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sampling_test

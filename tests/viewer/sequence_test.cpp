@@ -1,27 +1,22 @@
 // The Sequence panel: numbered files of an animation or of a turntable.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::sequence_test {
 namespace {
 
 class Sequence : public Viewer {
  protected:
   // Asks for the files of a turntable.
   json turntable(int images, const std::string& files) const {
-    return json::array({click("panel.sequence"),
-                        set("sequence.kind", "turntable"),
-                        set("sequence.images", images),
-                        set("sequence.samples", 2),
-                        click("sequence.start"),
-                        set("files.name", path(files)),
+    return json::array({click("panel.sequence"), set("sequence.kind", "turntable"), set("sequence.images", images),
+                        set("sequence.samples", 2), click("sequence.start"), set("files.name", path(files)),
                         click("files.accept")});
   }
 };
 
 TEST_F(Sequence, TurntableHasNumberedFilesThatStartWithTheView) {
   const auto steps = joined(small(2), joined(turntable(24, "turn.##.exr"),
-                                             json::array({wait_for("sequence"),
-                                                          file_step("state", path("s.json")),
+                                             json::array({wait_for("sequence"), file_step("state", path("s.json")),
                                                           file_step("image", path("view.exr"))})));
   ASSERT_EQ(run(steps, "cornell"), 0);
   const json sequence = state("s.json")["sequence"];
@@ -37,8 +32,9 @@ TEST_F(Sequence, TurntableHasNumberedFilesThatStartWithTheView) {
 
 TEST_F(Sequence, FilesThatExistAreReplacedOnlyOnRequest) {
   std::ofstream(path("turn.01.png")) << "kept";
-  const auto start = joined(small(2), joined(turntable(2, "turn.##.png"),
-                                             json::array({wait_for("sequence"), file_step("state", path("refused.json"))})));
+  const auto start =
+      joined(small(2), joined(turntable(2, "turn.##.png"),
+                              json::array({wait_for("sequence"), file_step("state", path("refused.json"))})));
   ASSERT_EQ(run(start, "cornell"), 0);
   const json errors = state("refused.json")["errors"];
   ASSERT_EQ(errors.size(), 1U) << errors;
@@ -54,13 +50,13 @@ TEST_F(Sequence, FilesThatExistAreReplacedOnlyOnRequest) {
 }
 
 TEST_F(Sequence, StoppingKeepsCompleteImagesAndContinuesTheRendering) {
-  const auto steps = joined(small(4), joined(turntable(5000, "turn.####.png"),
-                                             json::array({{{"do", "wait"}, {"seconds", 1.5}},
-                                                          click("sequence.stop"),
-                                                          file_step("state", path("stopped.json")),
-                                                          set("render.samples", 8),
-                                                          wait_for("limit"),
-                                                          file_step("state", path("after.json"))})));
+  const auto steps =
+      joined(small(4), joined(turntable(5000, "turn.####.png"), json::array({{{"do", "wait"}, {"seconds", 1.5}},
+                                                                             click("sequence.stop"),
+                                                                             file_step("state", path("stopped.json")),
+                                                                             set("render.samples", 8),
+                                                                             wait_for("limit"),
+                                                                             file_step("state", path("after.json"))})));
   ASSERT_EQ(run(steps, "cornell"), 0);
   const json stopped = state("stopped.json")["sequence"];
   EXPECT_EQ(stopped["running"], false);
@@ -78,7 +74,8 @@ TEST_F(Sequence, AFullDiskEndsTheSequence) {
   ASSERT_EQ(run(steps, "cornell"), 0);
   const json report = state("s.json");
   EXPECT_EQ(report["sequence"]["done"], 1);
-  EXPECT_NE(report["sequence"]["error"].get<std::string>().find("turn.01.png"), std::string::npos) << report["sequence"];
+  EXPECT_NE(report["sequence"]["error"].get<std::string>().find("turn.01.png"), std::string::npos)
+      << report["sequence"];
   EXPECT_TRUE(fs::exists(path("turn.00.png")));
   EXPECT_FALSE(fs::exists(path("turn.02.png")));
   EXPECT_EQ(report["errors"].size(), 1U) << report["errors"];
@@ -125,4 +122,4 @@ TEST_F(Sequence, AnimationHasTheFramesOfTheRange) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sequence_test

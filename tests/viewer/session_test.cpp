@@ -7,7 +7,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::session_test {
 namespace {
 
 class Session : public Viewer {
@@ -139,4 +139,4 @@ TEST_F(Session, RecentFilesAreWrittenWhenAFileIsOpened) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::session_test

@@ -5,7 +5,7 @@
 #include "home_folder.h"
 #include "viewer/state/settings.h"
 
-namespace etendue {
+namespace etendue::snapshot_folder_test {
 namespace {
 
 class SnapshotFolder : public HomeFolder {
@@ -56,4 +56,4 @@ TEST_F(SnapshotFolder, F12SavesInThePicturesOfTheUser) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::snapshot_folder_test

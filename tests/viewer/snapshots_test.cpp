@@ -9,7 +9,7 @@
 #include "viewer/files/loader.h"
 #include "viewer/files/snapshot_list.h"
 
-namespace etendue {
+namespace etendue::snapshots_test {
 namespace {
 
 json holding(const char* modifier, json step) {
@@ -59,7 +59,10 @@ TEST_F(Snapshots, ContinueWithTheirSamples) {
   EXPECT_TRUE(fs::exists(render::checkpoint_of_image(file)));
   EXPECT_EQ(paths_after_opening(file), 0U);
   const auto to_eight = json::array({set("render.samples", 8), wait_for("limit")});
-  ASSERT_EQ(run(joined(to_eight, json::array({file_step("image", path("continued.exr")), file_step("state", path("c.json"))})), file), 0);
+  ASSERT_EQ(run(joined(to_eight,
+                       json::array({file_step("image", path("continued.exr")), file_step("state", path("c.json"))})),
+                file),
+            0);
   EXPECT_EQ(state("c.json")["traced_paths"], 4 * 96 * 96) << "the first four samples are those of the snapshot";
   ASSERT_EQ(run(joined(small(8), json::array({file_step("image", path("whole.exr"))})), "cornell"), 0);
   EXPECT_EQ(saved_image("continued.exr").find("")->pixels, saved_image("whole.exr").find("")->pixels);
@@ -122,20 +125,28 @@ TEST_F(Snapshots, DifferencesHaveLabelsAndValues) {
   ASSERT_EQ(rows.size(), 2U) << report;
   const std::pair<std::string, std::string> integrators{"Bidirectional path tracing", "Path tracing"};
   EXPECT_EQ(rows.at("Integrator"), integrators);
-  const auto roughness = std::ranges::find_if(rows, [](const auto& row) { return row.first.starts_with("Roughness of "); });
+  const auto roughness =
+      std::ranges::find_if(rows, [](const auto& row) { return row.first.starts_with("Roughness of "); });
   ASSERT_NE(roughness, rows.end());
   EXPECT_EQ(roughness->second.first, "0.25");
   EXPECT_NE(roughness->second.second, "0.25");
 }
 
 TEST_F(Snapshots, TwoOfThemAreComparedAsAAndB) {
-  const auto steps = joined(
-      joined(joined(joined(small(), open_panel()), save()),
-             joined(json::array({set("material.5.roughness", 0.25), {{"do", "wait"}, {"spp", 4}}}), save())),
-      json::array({set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, click("snapshots.0"),
-                   holding("ctrl", click("snapshots.1")), file_step("state", path("chosen.json")),
-                   click("snapshots.compare"), {{"do", "wait"}, {"seconds", 1}}, wait_for("comparison"),
-                   file_step("state", path("compared.json")), click("compare.live-a"), file_step("state", path("live.json"))}));
+  const auto steps =
+      joined(joined(joined(joined(small(), open_panel()), save()),
+                    joined(json::array({set("material.5.roughness", 0.25), {{"do", "wait"}, {"spp", 4}}}), save())),
+             json::array({set("film.width", 64),
+                          {{"do", "wait"}, {"spp", 4}},
+                          click("snapshots.0"),
+                          holding("ctrl", click("snapshots.1")),
+                          file_step("state", path("chosen.json")),
+                          click("snapshots.compare"),
+                          {{"do", "wait"}, {"seconds", 1}},
+                          wait_for("comparison"),
+                          file_step("state", path("compared.json")),
+                          click("compare.live-a"),
+                          file_step("state", path("live.json"))}));
   ASSERT_EQ(run(steps, "cornell"), 0);
   const auto saved = files(".exr");
   ASSERT_EQ(saved.size(), 2U) << "names of one second must differ";
@@ -153,12 +164,18 @@ TEST_F(Snapshots, TwoOfThemAreComparedAsAAndB) {
 }
 
 TEST_F(Snapshots, ImageBMustHaveTheSizeOfA) {
-  const auto steps = joined(joined(joined(small(), open_panel()), save()),
-                            json::array({set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, click("snapshots.0"),
-                                         click("snapshots.use-b"), {{"do", "wait"}, {"seconds", 1}},
-                                         file_step("state", path("refused.json")), click("snapshots.use-a"),
-                                         {{"do", "wait"}, {"seconds", 1}}, click("snapshots.use-b"),
-                                         {{"do", "wait"}, {"seconds", 1}}, file_step("state", path("both.json"))}));
+  const auto steps =
+      joined(joined(joined(small(), open_panel()), save()), json::array({set("film.width", 64),
+                                                                         {{"do", "wait"}, {"spp", 4}},
+                                                                         click("snapshots.0"),
+                                                                         click("snapshots.use-b"),
+                                                                         {{"do", "wait"}, {"seconds", 1}},
+                                                                         file_step("state", path("refused.json")),
+                                                                         click("snapshots.use-a"),
+                                                                         {{"do", "wait"}, {"seconds", 1}},
+                                                                         click("snapshots.use-b"),
+                                                                         {{"do", "wait"}, {"seconds", 1}},
+                                                                         file_step("state", path("both.json"))}));
   ASSERT_EQ(run(steps, "cornell"), 0);
   const json errors = state("refused.json")["errors"];
   ASSERT_EQ(errors.size(), 1U) << errors;
@@ -169,10 +186,12 @@ TEST_F(Snapshots, ImageBMustHaveTheSizeOfA) {
 
 TEST_F(Snapshots, DeletingAsksFirstAndRemovesTheSamples) {
   saved_snapshot();
-  const auto ask = json::array({click("panel.snapshots"), wait_for("snapshots"), click("snapshots.0"), click("snapshots.delete")});
+  const auto ask =
+      json::array({click("panel.snapshots"), wait_for("snapshots"), click("snapshots.0"), click("snapshots.delete")});
   ASSERT_EQ(run(joined(ask, json::array({click("snapshots.delete-no")})), "cornell"), 0);
   EXPECT_EQ(files(".exr").size(), 1U);
-  ASSERT_EQ(run(joined(ask, json::array({click("snapshots.delete-yes"), wait_for("snapshots"), file_step("state", path("s.json"))})),
+  ASSERT_EQ(run(joined(ask, json::array({click("snapshots.delete-yes"), wait_for("snapshots"),
+                                         file_step("state", path("s.json"))})),
                 "cornell"),
             0);
   EXPECT_TRUE(files(".exr").empty());
@@ -184,8 +203,11 @@ TEST_F(Snapshots, DeletingAsksFirstAndRemovesTheSamples) {
 TEST_F(Snapshots, FilesThatAreNotSnapshotsAreNotListed) {
   const std::string file = saved_snapshot();
   std::ofstream(gallery() / "broken.exr") << "this is not an image";
-  ASSERT_TRUE(image::write_exr(gallery() / "foreign.exr", {.width = 2, .height = 1, .layers = {{"", {"R", "G", "B"}, std::vector<float>(6)}}}));
-  ASSERT_EQ(run(json::array({click("panel.snapshots"), wait_for("snapshots"), file_step("state", path("s.json"))}), "cornell"), 0);
+  ASSERT_TRUE(image::write_exr(gallery() / "foreign.exr",
+                               {.width = 2, .height = 1, .layers = {{"", {"R", "G", "B"}, std::vector<float>(6)}}}));
+  ASSERT_EQ(run(json::array({click("panel.snapshots"), wait_for("snapshots"), file_step("state", path("s.json"))}),
+                "cornell"),
+            0);
   ASSERT_EQ(state("s.json")["snapshots"]["files"].size(), 1U);
   EXPECT_EQ(state("s.json")["snapshots"]["files"][0]["name"], fs::path(file).filename().string());
 }
@@ -202,7 +224,10 @@ TEST_F(Snapshots, AFullDiskForTheSamplesIsAnError) {
     std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
     fs::create_symlink("/dev/full", gallery() / ("cornell-" + std::string(stamp) + ".exr.checkpoint"));
   }
-  ASSERT_EQ(run(joined(joined(joined(small(), open_panel()), save()), json::array({file_step("state", path("s.json"))})), "cornell"), 0);
+  ASSERT_EQ(
+      run(joined(joined(joined(small(), open_panel()), save()), json::array({file_step("state", path("s.json"))})),
+          "cornell"),
+      0);
   const json errors = state("s.json")["errors"];
   ASSERT_EQ(errors.size(), 1U) << errors;
   EXPECT_NE(errors[0].get<std::string>().find(".exr.checkpoint"), std::string::npos) << errors;
@@ -230,4 +255,4 @@ TEST_F(Snapshots, ThePictureIsKnownBeforeTheScene) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::snapshots_test

@@ -5,7 +5,7 @@
 #include "spectrum/spectrum_names.h"
 #include "spectrum/spectrum_points.h"
 
-namespace etendue {
+namespace etendue::spectrum_editor_test {
 namespace {
 
 class SpectrumEditor : public Viewer {
@@ -61,4 +61,4 @@ TEST_F(SpectrumEditor, DragMovesAPoint) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::spectrum_editor_test

@@ -1,7 +1,7 @@
 // The Surface panel: checks, preview and lobe of the selected material, and a pinned material.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::surface_test {
 namespace {
 
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
@@ -89,4 +89,4 @@ TEST_F(SurfacePanel, WaitFailsWithoutASelection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::surface_test

@@ -1,7 +1,7 @@
 // The timeline: steps by frames, and the choice of a clip.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::timeline_test {
 namespace {
 
 TEST_F(Viewer, TimelineStepsByFramesAndChoosesClips) {
@@ -36,4 +36,4 @@ TEST_F(Viewer, TimelineStepsByFramesAndChoosesClips) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::timeline_test

@@ -4,7 +4,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::tour_test {
 namespace {
 
 // The program runs in the folder of the test, because the script names files without a folder.
@@ -35,8 +35,8 @@ class Tour : public Viewer {
   static json touch_all() {
     json list = json::array();
     for (int node = 1; node <= 5; ++node)
-      for (const json& step : {set("node." + std::to_string(node) + ".translation.y", 0.5), json{{"do", "wait"}, {"spp", 1}},
-                               key("ctrl+z"), json{{"do", "wait"}, {"spp", 1}}})
+      for (const json& step : {set("node." + std::to_string(node) + ".translation.y", 0.5),
+                               json{{"do", "wait"}, {"spp", 1}}, key("ctrl+z"), json{{"do", "wait"}, {"spp", 1}}})
         list.push_back(step);
     list.push_back({{"do", "wait"}, {"spp", 4}});
     list.push_back(file_step("image", "touched.exr"));
@@ -68,7 +68,9 @@ TEST_F(Tour, BuildsASceneFromNothingThatIsTheSameWhenReopened) {
   ASSERT_EQ(run(joined(json::array({{{"do", "wait"}, {"spp", 4}}}), touch_all()), "tour.etendue", 1280, 720), 0);
   EXPECT_EQ(saved_image("touched.exr").find("")->pixels, saved_image("tour-before.exr").find("")->pixels);
   // Without the viewer.
-  ASSERT_EQ(std::system((std::string(ETENDUE_BINARY) + " render tour.etendue -o tour-rendered.exr 2> errors.txt").c_str()), 0);
+  ASSERT_EQ(
+      std::system((std::string(ETENDUE_BINARY) + " render tour.etendue -o tour-rendered.exr 2> errors.txt").c_str()),
+      0);
   EXPECT_EQ(share_that_differs("tour-after.exr", "tour-rendered.exr"), 0);
   // There is something to see, and the painting is part of it.
   const auto pixels = saved_image("tour-before.exr").find("")->pixels;
@@ -77,4 +79,4 @@ TEST_F(Tour, BuildsASceneFromNothingThatIsTheSameWhenReopened) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tour_test

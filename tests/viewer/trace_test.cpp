@@ -3,7 +3,7 @@
 
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::trace_test {
 namespace {
 
 class TracePanel : public Viewer {};
@@ -45,4 +45,4 @@ TEST_F(TracePanel, OtherIntegratorsHaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::trace_test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace etendue {
+namespace etendue::viewer_test {
 namespace {
 
 bool same_pixels(const image::LayeredImage& a, const image::LayeredImage& b) {
@@ -51,8 +51,11 @@ TEST_F(Viewer, PngIsTheDisplayedImageAndExrKeepsFireflies) {
 }
 
 TEST_F(Viewer, RestartRendersTheSameImageAgain) {
-  const auto steps = json::array({file_step("image", path("a.exr")), click("render.restart"), {{"do", "wait"}, {"spp", 4}},
-                                  file_step("image", path("b.exr")), file_step("state", path("s.json"))});
+  const auto steps = json::array({file_step("image", path("a.exr")),
+                                  click("render.restart"),
+                                  {{"do", "wait"}, {"spp", 4}},
+                                  file_step("image", path("b.exr")),
+                                  file_step("state", path("s.json"))});
   ASSERT_EQ(run(joined(small(), steps), "cornell"), 0);
   EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
   EXPECT_EQ(state("s.json")["traced_paths"], 4 * 96 * 96);
@@ -298,9 +301,9 @@ TEST_F(Viewer, AllTabsDrawAndAllActionsAreListed) {
 }
 
 TEST_F(Viewer, ImpossibleStepEndsTheScript) {
-  for (const json& step :
-       {set("material.99.roughness", 0.5), set("material.0.roughness", 7), set("no-such.thing", 1),
-        click("no.such.item"), json{{"do", "click"}, {"image", {1.5, 0.5}}}, file_step("open", path("missing.glb")), file_step("image", path("a.xyz"))}) {
+  for (const json& step : {set("material.99.roughness", 0.5), set("material.0.roughness", 7), set("no-such.thing", 1),
+                           click("no.such.item"), json{{"do", "click"}, {"image", {1.5, 0.5}}},
+                           file_step("open", path("missing.glb")), file_step("image", path("a.xyz"))}) {
     ::testing::internal::CaptureStderr();
     EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, step})), 1) << step;
     EXPECT_NE(::testing::internal::GetCapturedStderr().find("step 2"), std::string::npos) << step;
@@ -317,4 +320,4 @@ TEST_F(Viewer, InvalidScriptsAndScenesAreInputErrors) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::viewer_test

@@ -1,7 +1,7 @@
 // Pan and zoom of the image: neither the camera nor the rendering changes.
 #include "scripted.h"
 
-namespace etendue {
+namespace etendue::zoom_test {
 namespace {
 
 json hold(const std::string& name, bool down) { return {{"do", "key"}, {"key", name}, {"down", down}}; }
@@ -75,4 +75,4 @@ TEST_F(Viewer, PickingFollowsTheZoom) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::zoom_test

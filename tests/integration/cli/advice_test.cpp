@@ -5,7 +5,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::advice_test {
 namespace {
 
 class CliAdvice : public Cli {};
@@ -103,4 +103,4 @@ TEST_F(CliAdvice, ErrorsAreOneLine) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::advice_test

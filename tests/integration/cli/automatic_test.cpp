@@ -5,7 +5,7 @@
 #include "integration/cli/cli.h"
 #include "render/image_output.h"
 
-namespace etendue::test {
+namespace etendue::test::automatic_test {
 namespace {
 
 using nlohmann::json;
@@ -103,4 +103,4 @@ TEST_F(CliAutomatic, ResumedRenderingsKeepTheMethod) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::automatic_test

@@ -4,7 +4,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::bench_test {
 namespace {
 
 class CliBench : public Cli {
@@ -231,4 +231,4 @@ TEST_F(CliBench, InterruptKeepsCompleteRepeats) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::bench_test

@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::bsdf_test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ TEST_F(Cli, ImagesStoreTheModel) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::bsdf_test

@@ -4,7 +4,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::cli_test {
 namespace {
 
 TEST_F(Cli, RenderWritesTheImageAndItsStatistics) {
@@ -323,4 +323,4 @@ TEST_F(Cli, StressListsRunsAndWritesCases) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::cli_test

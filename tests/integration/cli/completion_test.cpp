@@ -1,7 +1,7 @@
 // Completion scripts, as a shell uses them.
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::completion_test {
 namespace {
 
 class Completion : public Cli {
@@ -37,4 +37,4 @@ TEST_F(Completion, EachShellHasAScript) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::completion_test

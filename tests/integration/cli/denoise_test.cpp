@@ -6,7 +6,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::denoise_test {
 namespace {
 
 // Sets an environment variable for the programs that a test starts.
@@ -85,4 +85,4 @@ TEST_F(Cli, FaultsOfOpenImageDenoiseAreErrorsUnlessAnotherOneIsAllowed) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::denoise_test

@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::figure_test {
 namespace {
 
 using nlohmann::json;
@@ -59,4 +59,4 @@ TEST_F(Cli, PatternReportsErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::figure_test

@@ -4,7 +4,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::image_formats_test {
 namespace {
 
 class ImageFormatsCli : public Cli {
@@ -71,4 +71,4 @@ TEST_F(ImageFormatsCli, TexturesBeyondTheBudgetGiveTheSameImage) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::image_formats_test

@@ -9,7 +9,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::job_parts_test {
 namespace {
 
 using nlohmann::json;
@@ -252,4 +252,4 @@ echo 17
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::job_parts_test

@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::lab_test {
 namespace {
 
 using nlohmann::json;
@@ -55,4 +55,4 @@ TEST_F(Cli, LabReportsErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::lab_test

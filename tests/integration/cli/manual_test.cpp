@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::manual_test {
 namespace {
 
 class Manual : public Cli {};
@@ -30,4 +30,4 @@ TEST_F(Manual, FoldersWithoutSourcesAreErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::manual_test

@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::merge_test {
 namespace {
 
 const std::string kScene = "render cornell --size 40x24 --seed 5 ";
@@ -305,4 +305,4 @@ echo 17
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::merge_test

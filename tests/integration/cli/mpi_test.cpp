@@ -10,7 +10,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::mpi_test {
 namespace {
 
 const std::string kScene = "render cornell --size 40x24 --seed 5 --threads 1 ";
@@ -365,4 +365,4 @@ TEST_F(FailingRank, ThatHangsDoesNotStopTheOthers) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::mpi_test

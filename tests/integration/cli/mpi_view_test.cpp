@@ -11,7 +11,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::mpi_view_test {
 namespace {
 
 using nlohmann::json;
@@ -194,4 +194,4 @@ TEST_F(MpiView, RanksEndWithoutRank0) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::mpi_view_test

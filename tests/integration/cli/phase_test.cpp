@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::phase_test {
 namespace {
 
 using nlohmann::json;
@@ -54,4 +54,4 @@ TEST_F(Cli, MediaAreListedWithSources) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::phase_test

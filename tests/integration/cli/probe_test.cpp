@@ -4,7 +4,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::probe_test {
 namespace {
 
 using nlohmann::json;
@@ -71,4 +71,4 @@ TEST_F(Cli, ProbeReportsErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::probe_test

@@ -4,7 +4,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::radiosity_test {
 namespace {
 
 using nlohmann::json;
@@ -58,4 +58,4 @@ TEST_F(Cli, RenderReportsDivergence) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::radiosity_test

@@ -7,7 +7,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::readme_test {
 namespace {
 
 // The lines of the shell that begin with "./run " and have arguments, below a heading of a Markdown file.
@@ -27,14 +27,10 @@ std::vector<std::string> command_lines(const std::string& file, const std::strin
 // The same command with less work.
 std::string reduced(std::string line) {
   const std::pair<const char*, const char*> replacements[] = {
-      {R"(--size \d+x\d+)", "--size 12x9"},
-      {R"(--spp \d+)", "--spp 16 --size 48x48"},
-      {R"(--budget \d+)", "--budget 0.05"},
-      {R"(--repeats \d+)", "--repeats 2"},
-      {R"(--time \d+)", "--time 4"},
-      {R"(--integrator auto)", "--integrator auto --size 24x18"},
-      {R"(--error [\d.]+)", "--error 0.1"},
-      {R"(^stress)", "stress point-light-unseen --size 16"}};
+      {R"(--size \d+x\d+)", "--size 12x9"}, {R"(--spp \d+)", "--spp 16 --size 48x48"},
+      {R"(--budget \d+)", "--budget 0.05"}, {R"(--repeats \d+)", "--repeats 2"},
+      {R"(--time \d+)", "--time 4"},        {R"(--integrator auto)", "--integrator auto --size 24x18"},
+      {R"(--error [\d.]+)", "--error 0.1"}, {R"(^stress)", "stress point-light-unseen --size 16"}};
   for (const auto& [pattern, text] : replacements) line = std::regex_replace(line, std::regex(pattern), text);
   return line;
 }
@@ -102,4 +98,4 @@ TEST_F(Readme, AWarningIsFound) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::readme_test

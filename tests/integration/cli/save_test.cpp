@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::save_test {
 namespace {
 
 class Save : public Cli {
@@ -51,4 +51,4 @@ TEST_F(Save, AFolderWithTheNameOfTheFileIsAnError) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::save_test

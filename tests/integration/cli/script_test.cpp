@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::script_test {
 namespace {
 
 class Script : public Cli {
@@ -39,4 +39,4 @@ TEST_F(Script, ValuesOfOtherTypesAreErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::script_test

@@ -4,7 +4,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::sequence_test {
 namespace {
 
 class Sequence : public Cli {
@@ -44,8 +44,7 @@ void write_scene(const fs::path& folder) {
                              0, 0, 0, 1, 0, 0,           // to the right
                              0, 0, 0, 0, 1, 0};          // up
   std::ofstream(folder / "moving.gltf") << kScene;
-  std::ofstream(folder / "moving.bin", std::ios::binary)
-      .write(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  std::ofstream(folder / "moving.bin", std::ios::binary).write(reinterpret_cast<const char*>(numbers), sizeof numbers);
 }
 
 const std::string kMoving = "moving.gltf --spp 2 --size 32x24";
@@ -94,4 +93,4 @@ TEST_F(Sequence, WrongArgumentsAreErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::sequence_test

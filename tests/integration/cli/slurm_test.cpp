@@ -10,7 +10,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::slurm_test {
 namespace {
 
 // Programs of the system administrator may not be in the search path of a user.
@@ -159,4 +159,4 @@ TEST_F(ClusterScripts, GnuParallelRendersAndMerges) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::slurm_test

@@ -5,7 +5,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::spectrum_test {
 namespace {
 
 using nlohmann::json;
@@ -50,4 +50,4 @@ TEST_F(Cli, SpectrumReportsErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::spectrum_test

@@ -3,7 +3,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::trace_test {
 namespace {
 
 using nlohmann::json;
@@ -36,4 +36,4 @@ TEST_F(Cli, TraceReportsErrors) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::trace_test

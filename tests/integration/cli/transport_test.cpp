@@ -4,7 +4,7 @@
 #include "image/image.h"
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::transport_test {
 namespace {
 
 using nlohmann::json;
@@ -62,4 +62,4 @@ TEST_F(Cli, ImportanceWritesAPicture) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::transport_test

@@ -8,7 +8,7 @@
 
 #include "integration/cli/cli.h"
 
-namespace etendue::test {
+namespace etendue::test::unwritable_test {
 namespace {
 
 constexpr const char* kSmall = "render cornell --size 8x8 --spp 1 ";
@@ -183,4 +183,4 @@ TEST_F(Cli, TheViewerWorksWithoutHomeOrCacheFolder) {
 }
 
 }  // namespace
-}  // namespace etendue::test
+}  // namespace etendue::test::unwritable_test

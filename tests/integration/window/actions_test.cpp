@@ -6,7 +6,7 @@
 
 #include "window_test.h"
 
-namespace etendue {
+namespace etendue::actions_test {
 namespace {
 
 // The actions of the program, from `etendue list widgets --json`.
@@ -33,9 +33,9 @@ std::string lower_case(std::string text) {
 // "Ctrl+Shift+Z" in the notation of xdotool.
 std::string xdotool_keys(std::string label) {
   const std::pair<const char*, const char*> names[] = {
-      {"Ctrl+", "ctrl+"}, {"Shift+", "shift+"}, {"Alt+", "alt+"},      {"Space", "space"}, {"Enter", "Return"},
-      {"Esc", "Escape"},  {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},     {".", "period"}, {"-", "minus"},
-      {"=", "equal"},     {"[", "bracketleft"}, {"]", "bracketright"}, {"?", "question"}};
+      {"Ctrl+", "ctrl+"}, {"Shift+", "shift+"}, {"Alt+", "alt+"},      {"Space", "space"},    {"Enter", "Return"},
+      {"Esc", "Escape"},  {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},        {".", "period"},
+      {"-", "minus"},     {"=", "equal"},       {"[", "bracketleft"},  {"]", "bracketright"}, {"?", "question"}};
   for (const auto& [from, to] : names)
     if (const size_t at = label.find(from); at != std::string::npos) label.replace(at, std::string(from).size(), to);
   const size_t key = label.rfind('+') == std::string::npos ? 0 : label.rfind('+') + 1;
@@ -45,14 +45,17 @@ std::string xdotool_keys(std::string label) {
 
 // Actions that these tests do not choose, with the reason.
 const std::set<std::string> kLeftOut{
-    "app.quit",        // window.Window.QuittingAsksAboutUnsavedEdits
-    "file.cancel",     // enabled only while a file is opened; no test chooses it
-    "animation.play",  // viewer.FirstView.AnimationsPlayWithoutEditingTheScene
+    "app.quit",           // window.Window.QuittingAsksAboutUnsavedEdits
+    "file.cancel",        // enabled only while a file is opened; no test chooses it
+    "animation.play",     // viewer.FirstView.AnimationsPlayWithoutEditingTheScene
     "view.clear-region",  // viewer.Viewer.RegionReceivesTheSamplesUntilItIsCleared
-    "animation.previous-frame", "animation.next-frame",  // viewer.Viewer.TimelineStepsByFramesAndChoosesClips
-    "animation.range-start", "animation.range-end", "animation.clear-range",  // viewer.Sequence.AnimationHasTheFramesOfTheRange
-    "compare.live-a",  // viewer.Snapshots.TwoOfThemAreComparedAsAAndB
-    "sequence.stop",  // viewer.Sequence.StoppingKeepsCompleteImagesAndContinuesTheRendering
+    "animation.previous-frame",
+    "animation.next-frame",  // viewer.Viewer.TimelineStepsByFramesAndChoosesClips
+    "animation.range-start",
+    "animation.range-end",
+    "animation.clear-range",  // viewer.Sequence.AnimationHasTheFramesOfTheRange
+    "compare.live-a",         // viewer.Snapshots.TwoOfThemAreComparedAsAAndB
+    "sequence.stop",          // viewer.Sequence.StoppingKeepsCompleteImagesAndContinuesTheRendering
 };
 
 // What makes an action enabled in the Cornell box: other actions; "image", a click on a surface; "shift+image", another one;
@@ -244,4 +247,4 @@ TEST_F(Actions, EveryShortcut) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::actions_test

@@ -2,7 +2,7 @@
 // sizes from 800 x 600 to 2560 x 1440. Skipped without Xvfb or xdotool.
 #include "window_test.h"
 
-namespace etendue {
+namespace etendue::campaign_test {
 namespace {
 
 TEST_F(Window, NumberField) {
@@ -114,4 +114,4 @@ TEST_F(Window, QuittingAsksAboutUnsavedEdits) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::campaign_test

@@ -4,7 +4,7 @@
 
 #include "window_test.h"
 
-namespace etendue {
+namespace etendue::tour_test {
 namespace {
 
 class Tour : public Window {
@@ -116,4 +116,4 @@ TEST_F(Tour, FiveMinutesInTheWindow) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::tour_test

@@ -7,7 +7,7 @@
 #include "file_drag.h"
 #include "window_test.h"
 
-namespace etendue {
+namespace etendue::widgets_test {
 namespace {
 
 class Widgets : public Window {
@@ -225,4 +225,4 @@ TEST_F(Widgets, DroppedSceneAsksAboutUnsavedEdits) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::widgets_test

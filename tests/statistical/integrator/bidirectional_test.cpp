@@ -6,7 +6,7 @@
 #include "scene/builtin/many_lights.h"
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::bidirectional_test {
 namespace {
 
 using render::Document;
@@ -146,4 +146,4 @@ TEST(Techniques, ExpressionsAreParsed) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::bidirectional_test

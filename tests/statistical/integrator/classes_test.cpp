@@ -10,7 +10,7 @@
 #include "support/independent_estimates.h"
 #include "transport/path_expression/path_expression.h"
 
-namespace etendue {
+namespace etendue::classes_test {
 namespace {
 
 using test::expect_agreement;
@@ -220,4 +220,4 @@ TEST(Classes, ExpressionIsADocumentParameter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::classes_test

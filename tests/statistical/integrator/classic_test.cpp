@@ -10,7 +10,7 @@
 #include "integrator/integrator.h"
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::classic_test {
 namespace {
 
 using test::expect_agreement;
@@ -231,4 +231,4 @@ TEST(Whitted, BranchesBelowTheThresholdAreCut) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::classic_test

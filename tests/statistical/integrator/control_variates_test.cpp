@@ -8,7 +8,7 @@
 #include "support/integrator_scenes.h"
 #include "support/resume.h"
 
-namespace etendue {
+namespace etendue::control_variates_test {
 namespace {
 
 using render::Document;
@@ -78,4 +78,4 @@ TEST(ControlVariates, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::control_variates_test

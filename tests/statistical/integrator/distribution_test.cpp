@@ -8,7 +8,7 @@
 #include "sampling/sampler.h"
 #include "support/independent_estimates.h"
 
-namespace etendue {
+namespace etendue::distribution_test {
 namespace {
 
 using test::expect_agreement;
@@ -106,4 +106,4 @@ TEST(Distribution, RayCountIsTheSumOfProductsOfBranches) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::distribution_test

@@ -9,7 +9,7 @@
 #include "support/scenes.h"
 #include "transport/path_expression/path_expression.h"
 
-namespace etendue {
+namespace etendue::furnace_test {
 namespace {
 
 using test::Mean;
@@ -129,4 +129,4 @@ TEST(WhiteFurnace, SmoothGlassIsInvisible) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::furnace_test

@@ -8,7 +8,7 @@
 #include "support/integrator_scenes.h"
 #include "support/resume.h"
 
-namespace etendue {
+namespace etendue::guided_test {
 namespace {
 
 using render::Document;
@@ -59,4 +59,4 @@ TEST(GuidedPathTracing, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::guided_test

@@ -4,7 +4,7 @@
 #include "stress/lit_wall.h"
 #include "support/independent_estimates.h"
 
-namespace etendue {
+namespace etendue::igi_test {
 namespace {
 
 using test::expect_agreement;
@@ -140,4 +140,4 @@ TEST(InstantGlobalIllumination, FixedLightsKeepTheirError) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::igi_test

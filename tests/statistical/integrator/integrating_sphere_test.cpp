@@ -12,7 +12,7 @@
 
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::integrating_sphere_test {
 namespace {
 
 using scene::Cap;
@@ -382,4 +382,4 @@ TEST(IntegratingSphere, PhotonsWithinARadius) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::integrating_sphere_test

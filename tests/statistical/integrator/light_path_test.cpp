@@ -8,7 +8,7 @@
 #include "integrator/mlt/mutation_chain.h"
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::light_path_test {
 namespace {
 
 using integrator::BootstrapPaths;
@@ -287,4 +287,4 @@ TEST(LightPaths, PathLengthsInTheIntegratingSphere) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_path_test

@@ -4,7 +4,7 @@
 #include "scene/builtin/many_lights.h"
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::many_lights_test {
 namespace {
 
 using render::Document;
@@ -79,4 +79,4 @@ TEST(ManyLights, BidirectionalLightSamplesUseTheTree) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::many_lights_test

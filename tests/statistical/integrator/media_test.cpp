@@ -15,7 +15,7 @@
 #include "support/resume.h"
 #include "support/translation.h"
 
-namespace etendue {
+namespace etendue::media_test {
 namespace {
 
 using render::Document;
@@ -464,4 +464,4 @@ TEST(Media, DecisionsStateTheirReason) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::media_test

@@ -6,7 +6,7 @@
 #include "support/moving_scenes.h"
 #include "support/resume.h"
 
-namespace etendue {
+namespace etendue::mlt_test {
 namespace {
 
 using render::Document;
@@ -118,4 +118,4 @@ TEST(Mlt, IntegratingSphereIsUniform) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::mlt_test

@@ -5,10 +5,10 @@
 
 #include "base/hash.h"
 #include "scene/compiled_scene.h"
-#include "support/moving_scenes.h"
 #include "support/independent_estimates.h"
+#include "support/moving_scenes.h"
 
-namespace etendue {
+namespace etendue::motion_test {
 namespace {
 
 using scene::AnimatedPath;
@@ -336,4 +336,4 @@ TEST(MotionBlur, EqualsTheMeanOfStillImagesOfRealFiles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::motion_test

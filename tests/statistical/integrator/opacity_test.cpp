@@ -6,7 +6,7 @@
 #include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
-namespace etendue {
+namespace etendue::opacity_test {
 namespace {
 
 // A black thin surface of this opacity in front of a white environment.
@@ -69,4 +69,4 @@ TEST(Opacity, EditOfAlphaNeedsNoRebuild) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::opacity_test

@@ -15,7 +15,7 @@
 #include "support/media_scenes.h"
 #include "support/moving_scenes.h"
 
-namespace etendue {
+namespace etendue::pairwise_test {
 namespace {
 
 using integrator::IntegratorInfo;
@@ -226,4 +226,4 @@ TEST(Pairwise, CameraInsideGlass) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::pairwise_test

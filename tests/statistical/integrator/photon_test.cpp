@@ -8,7 +8,7 @@
 #include "sampling/random.h"
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::photon_test {
 namespace {
 
 using test::with;
@@ -334,4 +334,4 @@ TEST(PhotonMapping, MapIsReusedForANewCamera) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::photon_test

@@ -8,7 +8,7 @@
 #include "support/independent_estimates.h"
 #include "support/resume.h"
 
-namespace etendue {
+namespace etendue::pssmlt_test {
 namespace {
 
 using render::Document;
@@ -154,4 +154,4 @@ TEST(Pssmlt, ReportsTheAcceptanceRate) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::pssmlt_test

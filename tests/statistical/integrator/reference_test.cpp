@@ -6,7 +6,7 @@
 #include "image/image.h"
 #include "support/scenes.h"
 
-namespace etendue {
+namespace etendue::reference_test {
 namespace {
 
 constexpr int kBlocks = 8;
@@ -83,4 +83,4 @@ TEST(Reference, VeachBidir) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::reference_test

@@ -10,7 +10,7 @@
 #include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
-namespace etendue {
+namespace etendue::registry_test {
 namespace {
 
 TEST(Registry, GroupsAreContiguousAndInOrder) {
@@ -96,4 +96,4 @@ TEST(Incompatibility, AdaptiveSamplingNeedsIndependentPixels) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::registry_test

@@ -11,7 +11,7 @@
 #include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
-namespace etendue {
+namespace etendue::sampler_test {
 namespace {
 
 // Scrambled Sobol' points give the same pixels with less noise.
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, ::testing::ValuesIn(all_integra
 });
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sampler_test

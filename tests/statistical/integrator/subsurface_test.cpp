@@ -9,7 +9,7 @@
 #include "support/integrator_scenes.h"
 #include "transport/wavefront/subsurface_scattering.h"
 
-namespace etendue {
+namespace etendue::subsurface_test {
 namespace {
 
 using render::Document;
@@ -203,4 +203,4 @@ TEST(Subsurface, OtherIntegratorsRefuse) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::subsurface_test

@@ -3,7 +3,7 @@
 
 #include "support/integrator_scenes.h"
 
-namespace etendue {
+namespace etendue::surface_light_test {
 namespace {
 
 using render::Document;
@@ -257,4 +257,4 @@ TEST(SpotLight, EqualConesHaveAHardEdge) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::surface_light_test

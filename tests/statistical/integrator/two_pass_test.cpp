@@ -7,7 +7,7 @@
 #include "integrator/integrator.h"
 #include "support/independent_estimates.h"
 
-namespace etendue {
+namespace etendue::two_pass_test {
 namespace {
 
 using test::same_bits;
@@ -111,4 +111,4 @@ TEST(TwoPass, PointsAreAvailableForInspection) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::two_pass_test

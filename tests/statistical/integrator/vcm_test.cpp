@@ -6,7 +6,7 @@
 #include "support/integrator_scenes.h"
 #include "support/translation.h"
 
-namespace etendue {
+namespace etendue::vcm_test {
 namespace {
 
 using render::Document;
@@ -95,4 +95,4 @@ TEST(VertexMerging, BiasFallsAsTheRadiusShrinks) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::vcm_test

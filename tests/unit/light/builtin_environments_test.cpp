@@ -8,7 +8,7 @@
 
 #include "light/sampling/environment_map.h"
 
-namespace etendue {
+namespace etendue::builtin_environments_test {
 namespace {
 
 // The irradiance on a surface with this normal, divided by pi: the radiance of a white surface. By the midpoint rule.
@@ -78,4 +78,4 @@ TEST(BuiltinEnvironments, StudioExposesAWhiteObjectInFrontOfGreyWalls) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::builtin_environments_test

@@ -9,7 +9,7 @@
 #include "base/warp.h"
 #include "support/chi_square.h"
 
-namespace etendue {
+namespace etendue::environment_map_test {
 namespace {
 
 Environment environment(int width, int height, const std::function<Rgb(int x, int y)>& texel) {
@@ -295,7 +295,8 @@ TEST(EnvironmentMap, TheBackdropFollowsTheSun) {
   sun.radiance = Rgb(1e4f);
   e.sun = sun;
   const float irradiance = 1e4f * 2 * kPi * (1 - std::cos(0.01f));
-  EXPECT_NEAR(EnvironmentMap(e).seen_radiance({0, 1, 0}).g, 0.36f * 2 * (1 + irradiance / kPi), 0.01f) << "the tint is that of map and sun";
+  EXPECT_NEAR(EnvironmentMap(e).seen_radiance({0, 1, 0}).g, 0.36f * 2 * (1 + irradiance / kPi), 0.01f)
+      << "the tint is that of map and sun";
 }
 
 TEST(EnvironmentMap, BlackMapHasNoDensity) {
@@ -305,4 +306,4 @@ TEST(EnvironmentMap, BlackMapHasNoDensity) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::environment_map_test

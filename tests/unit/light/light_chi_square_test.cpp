@@ -11,7 +11,7 @@
 #include "support/chi_square.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::light_chi_square_test {
 namespace {
 
 using test::RandomNumbers;
@@ -171,4 +171,4 @@ TEST(LightDensity, DirectionsThroughPortals) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_chi_square_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace etendue {
+namespace etendue::light_presets_test {
 namespace {
 
 TEST(LightPresets, HaveTheStatedFluxOrIlluminance) {
@@ -23,4 +23,4 @@ TEST(LightPresets, HaveTheStatedFluxOrIlluminance) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_presets_test

@@ -4,7 +4,7 @@
 #include "support/moving_lights.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::light_selection_test {
 namespace {
 
 using test::RandomNumbers;
@@ -159,4 +159,4 @@ TEST(LightSelection, TreeBoundsMovingLightsOverTheShutter) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_selection_test

@@ -8,7 +8,7 @@
 #include "support/moving_lights.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::light_table_test {
 namespace {
 
 using test::RandomNumbers;
@@ -187,4 +187,4 @@ TEST(LightTable, SamplesMovingLightsAtTheTimeOfTheQuery) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_table_test

@@ -6,7 +6,7 @@
 #include "equations/pearson_test.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::light_tree_test {
 namespace {
 
 using test::RandomNumbers;
@@ -239,4 +239,4 @@ TEST(LightTree, IsScaleInvariant) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_tree_test

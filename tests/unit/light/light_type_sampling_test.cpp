@@ -8,7 +8,7 @@
 #include "scene/compiled_scene.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::light_type_sampling_test {
 namespace {
 
 using test::RandomNumbers;
@@ -323,4 +323,4 @@ TEST(LightTypeEmission, ResamplesTheSecondEnd) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_type_sampling_test

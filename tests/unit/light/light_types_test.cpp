@@ -8,7 +8,7 @@
 #include "light/area_light.h"
 #include "light/light.h"
 
-namespace etendue {
+namespace etendue::light_types_test {
 namespace {
 
 constexpr double kPiD = std::numbers::pi;
@@ -166,4 +166,4 @@ TEST(LightFlux, AreaLightsWithoutAreaAreBlack) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::light_types_test

@@ -14,7 +14,7 @@
 #include "light/photometry_source.h"
 #include "light/types/photometric_light.h"
 
-namespace etendue {
+namespace etendue::photometry_profile_test {
 namespace {
 
 constexpr double kPiD = std::numbers::pi;
@@ -252,4 +252,4 @@ TEST(PhotometryProfile, ErrorsNameTheLineAndWhatIsRight) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::photometry_profile_test

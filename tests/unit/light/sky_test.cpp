@@ -12,7 +12,7 @@
 #include "light/sampling/environment_portals.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::sky_test {
 namespace {
 
 using test::RandomNumbers;
@@ -313,4 +313,4 @@ TEST(EnvironmentPortals, GuideOnlyWhatTheyFace) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::sky_test

@@ -10,7 +10,7 @@
 #include "equations/pearson_test.h"
 #include "unit/light/light_queries.h"
 
-namespace etendue {
+namespace etendue::spherical_triangle_test {
 namespace {
 
 struct Corners {
@@ -164,4 +164,4 @@ TEST(SphericalTriangle, IsUsedForLargeTriangles) {
 }
 
 }  // namespace
-}  // namespace etendue
+}  // namespace etendue::spherical_triangle_test
