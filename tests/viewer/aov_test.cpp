@@ -78,12 +78,12 @@ TEST_F(AovInViewport, ImportanceKeepsTheCameraForWhichItWasChosen) {
   steps.push_back(set("view.aov", "picture"));
   show("again.json");
   ASSERT_EQ(run(steps, "cornell"), 0);
-  const auto scale_of = [&](const char* report) {
+  const auto mean_of = [&](const char* report) {
     const json aov = state(report)["aov"];
     EXPECT_EQ(aov["name"], "importance");
-    return aov["scale"].get<std::string>();
+    return aov["mean_luminance"].get<double>();
   };
-  const std::string front = scale_of("front.json"), side = scale_of("side.json"), again = scale_of("again.json");
+  const double front = mean_of("front.json"), side = mean_of("side.json"), again = mean_of("again.json");
   EXPECT_NE(side, front) << "another view of the same importance";
   EXPECT_NE(again, side) << "the importance of the new view";
 }
