@@ -46,7 +46,7 @@ inline void sixteen_nested_solids(TestContext& test) {
   const Camera camera = look_at({0.013f, 4, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
   const auto d = test.document(scene, camera);
   for (const auto& method : unbiased_integrators())
-    test.expect_mean(method, "", test.mean(TestContext::with_method(d, method), 1024), stack.transmittance);
+    test.expect_mean(method, "", test.mean(TestContext::with_method(d, method), 256), stack.transmittance);
 }
 
 inline constexpr Case kSixteenNestedSolids{
