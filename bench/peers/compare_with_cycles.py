@@ -51,7 +51,7 @@ def measure(name, options, folder):
                str(options.repeats), "--threads", "2", "--set", f"max-depth={MAX_DEPTH}", "--out", out, "--methods",
                f'{options.methods},external:"{cycles}"']
     if name == "mesh":
-        command += ["--env", "uniform"]
+        command += ["--env", "uniform", "--set", "environment.backdrop=false", "--set", "environment.visible=true"]
     if options.reference_time:
         command += ["--reference-time", str(options.reference_time)]
     # Blender takes the modules of the first python3 in PATH: that of Debian has numpy.
