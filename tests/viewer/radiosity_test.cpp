@@ -28,6 +28,14 @@ TEST_F(RadiosityPanel, ShowsTheSolution) {
   EXPECT_EQ(radiosity["problem"], "");
 }
 
+// An adaptive mesh has no form factors while it is being refined, which is no lack of a solution.
+TEST_F(RadiosityPanel, WaitsForAnAdaptiveMesh) {
+  ASSERT_EQ(run(radiosity_steps({set("radiosity.patches", 2000), set("radiosity.meshing", "adaptive"),
+                                 wait_for("radiosity"), file_step("state", path("a.json"))})),
+            0);
+  EXPECT_TRUE(state("a.json")["radiosity"]["complete"].get<bool>());
+}
+
 TEST_F(RadiosityPanel, NotesDivergence) {
   ASSERT_EQ(run(radiosity_steps({set("radiosity.solver", "sor"),
                                  set("radiosity.relaxation", 3),
