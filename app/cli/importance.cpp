@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "interrupt.h"
 #include "json.h"
+#include "metrics/convergence.h"
 #include "metrics/heat_map.h"
 #include "render/transport_audit.h"
 #include "scene/compiled_scene.h"
@@ -57,12 +58,6 @@ Result<Camera> view_of(const std::string& text, const render::Document& document
                      "' is no camera of the scene; give its name, or position and target as X,Y,Z:X,Y,Z");
 }
 
-// The value that only a few pixels exceed.
-float upper_value(std::vector<float> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[values.size() - 1 - values.size() / 200];
-}
-
 Result<void> write_picture(const std::string& path, const render::Document& d, const image::Layer& picture) {
   if (path.ends_with(".exr")) {
     image::LayeredImage image;
@@ -71,7 +66,8 @@ Result<void> write_picture(const std::string& path, const render::Document& d, c
     image.layers = {picture};
     return image::write_exr(path, image);
   }
-  const float most = upper_value(picture.pixels);
+  // A few pixels may be brighter.
+  const auto most = static_cast<float>(metrics::quantile({picture.pixels.begin(), picture.pixels.end()}, 0.995));
   std::vector<float> scaled;
   for (const float v : picture.pixels) scaled.push_back(most > 0 ? std::min(v / most, 1.0f) : 0);
   return image::write_png(path, d.width, d.height, metrics::color_mapped(scaled));

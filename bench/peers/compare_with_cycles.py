@@ -51,6 +51,7 @@ def measure(name, options, folder):
                str(options.repeats), "--threads", "2", "--set", f"max-depth={MAX_DEPTH}", "--out", out, "--methods",
                f'{options.methods},external:"{cycles}"']
     if name == "mesh":
+        # Both programs see the sky behind the mesh.
         command += ["--env", "uniform", "--set", "environment.backdrop=false", "--set", "environment.visible=true"]
     if options.reference_time:
         command += ["--reference-time", str(options.reference_time)]

@@ -70,7 +70,7 @@ const IntegratorCoverage& PathClassTask::coverage(const TaskContext& context) {
   covered_method_ = method;
   covered_incompatible_ = incompatible;
   coverage_ = {};
-  const auto declared = incompatible ? advisor::DeclaredPaths() : advisor::declared_paths(method);
+  const auto declared = incompatible ? advisor::DeclaredPaths() : advisor::declared_paths(method, context.session.scene().get());
   const auto& table = covered_table_->table;
   for (const auto& row : table.rows) coverage_.rows.push_back(found_part(declared, table, row));
   coverage_.missing_paths = advisor::missing_paths(declared, table);

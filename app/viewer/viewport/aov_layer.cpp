@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "metrics/convergence.h"
 #include "render/aov.h"
 #include "render/light_path_layers.h"
 #include "render/session.h"
@@ -115,7 +116,7 @@ AovImage radiance_image(std::shared_ptr<const scene::CompiledScene> scene, const
 }
 
 // The importance of places for a camera, seen by that of the document. The colours end at a value that one pixel in 200
-// exceeds.
+// exceeds. If camera paths cannot be traced, the image is black and its scale says why.
 AovImage importance_image(std::shared_ptr<const scene::CompiledScene> scene, render::Document document,
                           const Camera& camera, uint64_t version, const std::atomic<bool>& cancelled) {
   constexpr double kPaths = 1e6, kFewest = 2, kMost = 64;
@@ -125,21 +126,21 @@ AovImage importance_image(std::shared_ptr<const scene::CompiledScene> scene, ren
   const auto compiled = scene::compile(document.scene, camera, std::move(scene), document.height);
   const auto audit =
       render::audit_importance(document, compiled, view, samples, 0, 1, [&] { return !cancelled.load(); });
-  if (!audit) return {};
-  const std::vector<float>& values = audit->picture.pixels;
-  auto ranked = values;
-  const auto rank = ranked.begin() + static_cast<std::ptrdiff_t>(pixels - 1 - pixels / 200);
-  std::nth_element(ranked.begin(), rank, ranked.end());
-  const float most = *rank > 0 ? *rank : 1;
   AovImage image{.name = kImportanceLayer,
                  .version = version,
                  .samples = samples,
-                 .scale = formatted("0 to %.2g per m\u00b2, for the view in which it was chosen",
-                                    static_cast<double>(most)),
                  .width = document.width,
                  .height = document.height,
-                 .pixels = {}};
-  for (const float v : values) image.pixels.push_back(linear_from_srgb(viridis(std::min(v / most, 1.0f))));
+                 .pixels = std::vector<Rgb>(pixels)};
+  if (!audit) {
+    image.scale = audit.error().message;
+    return image;
+  }
+  const std::vector<float>& values = audit->picture.pixels;
+  const double most = metrics::quantile({values.begin(), values.end()}, 0.995);
+  image.scale = formatted("0 to %.2g per m\u00b2, for the view in which it was chosen", most);
+  for (size_t i = 0; i < pixels && most > 0; ++i)
+    image.pixels[i] = linear_from_srgb(viridis(std::min(values[i] / static_cast<float>(most), 1.0f)));
   return image;
 }
 
@@ -200,7 +201,8 @@ bool AovLayer::is_outdated(const std::string& name) const {
 
 AovLayer::~AovLayer() { cancel(); }
 
-// Ends work that takes long: parts of the radiance, the importance and the denoised image. Other work is short and runs to its end.
+// Ends work that takes long: parts of the radiance, the importance and the denoised image. Other work is short and runs to
+// its end.
 void AovLayer::cancel() {
   if (!cancelled_) return;
   cancelled_->store(true);

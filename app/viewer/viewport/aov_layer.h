@@ -1,7 +1,7 @@
 // Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, the error of each pixel, the light of
 // single bounces and path classes, the terms of the equation of transfer in scenes with participating media, and the
-// importance of places. They are computed beside the main rendering, which continues. Parts of the radiance are computed again with more samples
-// until they have 256 per pixel. The denoised image (film/denoise/denoise.h) is for display only.
+// importance of places. They are computed beside the main rendering, which continues. Parts of the radiance are computed
+// again with more samples until they have 256 per pixel. The denoised image (film/denoise/denoise.h) is for display only.
 #pragma once
 #include <atomic>
 #include <functional>

@@ -116,8 +116,11 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
 
   auto parameters() { return std::tuple_cat(std::tie(max_depth), path_parameters()); }
 
-  // The paths of the integrator whose light is divided into layers.
   static IntegratorInfo info() { return *find_integrator("path"); }
+  SampledPaths sampled_paths(const scene::CompiledScene*) const override {
+    const IntegratorInfo& divided = *find_integrator(samples_lights_ ? "path" : "path-pure");
+    return {divided.paths, divided.point_paths};
+  }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState*) const override {
     return std::make_unique<Blocks>(*this, context);

@@ -36,14 +36,14 @@ TEST(Session, AnotherSeedIsAnotherImage) {
   EXPECT_FALSE(same_bits(a, test::rendered(d, 4)));
 }
 
-// An image of radiosity begins with form factors, which take seconds here. Meanwhile there is a frame by path tracing, also
-// of an edit. Without previews there is none.
+// An image of radiosity begins with form factors, here of 50 million rays on one thread. Meanwhile there is a frame by path
+// tracing, also of an edit.
 TEST(Session, LongPhasesAreBridgedByASubstitute) {
   render::Document d = test::cornell(300);
   d = *render::with_text(d, "render.integrator", "radiosity");
   d = *render::with_text(d, "radiosity.patches", "3000");
   d = *render::with_text(d, "radiosity.rays", "4096");
-  render::Session session({.interactive = true});
+  render::Session session({.threads = 1, .interactive = true});
   const auto frame_of = [&](const render::Document& document) {
     const uint64_t version = session.submit(document);
     while (!session.frame() || session.frame()->version < version)
