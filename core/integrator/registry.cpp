@@ -16,6 +16,7 @@
   ENTRY(path_tracing)              \
   ENTRY(guided_path_tracing)       \
   ENTRY(path_tracing_with_control)  \
+  ENTRY(manifold_path_tracing)     \
   ENTRY(pure_light_tracing)        \
   ENTRY(light_tracing)             \
   ENTRY(bdpt)                      \

@@ -22,7 +22,7 @@ class Completion : public Cli {
 TEST_F(Completion, OffersCommandsOptionsAndNames) {
   EXPECT_EQ(offered("etendue ren"), "render\n");
   EXPECT_EQ(offered("etendue render --integ"), "--integrator\n");
-  EXPECT_EQ(offered("etendue render --integrator path"), "path-pure path path-guided path-control\n");
+  EXPECT_EQ(offered("etendue render --integrator path"), "path-pure path path-guided path-control path-manifold\n");
   EXPECT_EQ(offered("etendue render glass-c"), "glass-caustic\n");
   EXPECT_EQ(offered("etendue compare --heatmap-of fl"), "flip\n");
 }

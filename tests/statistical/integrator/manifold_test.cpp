@@ -1,0 +1,124 @@
+// Path tracing with manifold next event estimation: closed forms of mirrors and lenses, agreement with other unbiased
+// integrators, and independence of the number of threads.
+#include <gtest/gtest.h>
+
+#include "support/independent_estimates.h"
+#include "support/integrator_scenes.h"
+#include "support/resume.h"
+#include "support/scenes.h"
+
+namespace etendue::manifold_test {
+namespace {
+
+using render::Document;
+using test::with_integrator;
+
+constexpr float kAlbedo = 0.5f;
+
+Material mirror() {
+  Material m = test::diffuse(Rgb(1));
+  m.metallic = 1;
+  m.roughness = 0;
+  return m;
+}
+
+// A diffuse floor with a vertical mirror behind it, seen from above. A light is to be added.
+scene::Scene floor_and_mirror() {
+  scene::Scene scene;
+  test::add(scene, test::quad(1), test::diffuse(Rgb(kAlbedo)));
+  test::add(scene, scene::rectangle({-8, 0, -2}, {16, 0, 0}, {0, 8, 0}), mirror());
+  return scene;
+}
+Document restricted(Document d, const char* paths) {
+  d.method.paths = paths;
+  return d;
+}
+Document seen_from_above(scene::Scene scene) {
+  Document d = test::document(std::move(scene), look_at({0, 4, 0}, {0, 0, 0}, {0, 0, -1}, 0.3f), 8, 8);
+  d.filter = film::FilterKind::box;
+  return restricted(with_integrator(d, "path-manifold"), "EDSL");
+}
+
+// A mirror shows a light at the mirrored place, so the radiance of the floor is kAlbedo / pi I cos / d^2. The only random
+// factor is the number of walks, with a mean of one over the probability of success.
+TEST(ManifoldPathTracing, PointLightInAPlaneMirror) {
+  auto scene = floor_and_mirror();
+  constexpr float kIntensity = 10;
+  test::add_point_light(scene, {0.5f, 1.5f, -1}, kIntensity);
+  const Vec3 image(0.5f, 1.5f, -3);
+  const Document d = seen_from_above(std::move(scene));
+  constexpr uint32_t kSamples = 1024;
+  const auto film = test::rendered(d, kSamples);
+  const CameraRays rays(d.camera, d.width, d.height);
+  double sum_of_errors = 0;
+  for (int y = 0; y < d.height; ++y)
+    for (int x = 0; x < d.width; ++x) {
+      const Ray ray = rays.ray(Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), Vec2(0), 0);
+      const Vec3 at = ray.origin - ray.direction * (ray.origin.y / ray.direction.y);
+      const Vec3 to_image = image - at;
+      const double squared = length_squared(to_image);
+      const double expected = kAlbedo / kPi * kIntensity * to_image.y / (squared * std::sqrt(squared));
+      const double error = film.mean(x, y).g / expected - 1;
+      sum_of_errors += error;
+      // The standard deviation of the number of walks over its mean is at most 1.4 for probabilities above 1/2, i.e. 0.044
+      // of the mean of 1024 samples. Five standard deviations: a false alarm in 64 pixels has a probability of 4e-5.
+      EXPECT_NEAR(error, 0, 5 * 0.044) << x << ' ' << y;
+    }
+  EXPECT_NEAR(sum_of_errors / 64, 0, 4 * 0.044 / 8);
+}
+
+TEST(ManifoldPathTracing, DirectionalLightInAPlaneMirror) {
+  auto scene = floor_and_mirror();
+  Light light = make_light("directional");
+  light.set("intensity", 3.0);
+  scene::Transform place;
+  const Vec3 direction = glm::normalize(Vec3(0.1f, -1, -1));
+  place.matrix = look_at(Vec3(0), direction, {0, 1, 0}, 1).to_world;
+  test::add(scene, light, place);
+  const auto film = test::rendered(seen_from_above(std::move(scene)), 256);
+  const double expected = kAlbedo / kPi * 3.0 * -direction.y;
+  EXPECT_NEAR(test::mean_color(film).g / expected, 1, 4 * 1.4 / 128);
+}
+
+// t-tests with a false-alarm rate of 1 % each. Light tracing finds lights without extent behind glass, too.
+TEST(ManifoldPathTracing, AgreesWithLightTracingOnPointLightsBehindGlass) {
+  for (const char* light : {"point", "directional"}) {
+    const Document d = restricted(test::balls_under_light(light), "ED[S[S[S[S]]]]L");
+    test::expect_same_mean(with_integrator(d, "light"), 1024, with_integrator(d, "path-manifold"), 256, light, 2);
+  }
+}
+
+TEST(ManifoldPathTracing, AgreesWithBidirectionalPathTracing) {
+  Document d = *render::new_document("caustic-pool");
+  d.width = d.height = test::kSize;
+  test::expect_same_mean(with_integrator(d, "bdpt"), 512, with_integrator(d, "path-manifold"), 128, "caustic-pool", 1);
+}
+
+// The variance of pixels, from the difference of two renders of the caustic that water throws onto the floor.
+TEST(ManifoldPathTracing, FindsCausticsThroughWater) {
+  const auto variance = [](const char* integrator) {
+    Document d = *render::new_document("caustic-pool");
+    d.width = d.height = 32;
+    d = restricted(with_integrator(d, integrator), "ES*DS+L");
+    Document other = d;
+    other.seed = d.seed + 1;
+    const auto a = test::rendered(d, 32), b = test::rendered(other, 32);
+    double sum = 0;
+    for (int y = 0; y < d.height; ++y)
+      for (int x = 0; x < d.width; ++x) {
+        sum += sqr(a.mean(x, y).g - b.mean(x, y).g);
+      }
+    return sum;
+  };
+  EXPECT_LT(variance("path-manifold"), 0.1 * variance("path"));
+}
+
+TEST(ManifoldPathTracing, ThreadsDoNotMatter) {
+  Document d = with_integrator(*render::new_document("cornell-spheres"), "path-manifold");
+  d.width = d.height = 48;
+  const auto one = test::rendered(d, 8, 1);
+  for (const int threads : {2, 7}) test::expect_same_bits(one, test::rendered(d, 8, threads), "path-manifold");
+}
+
+}  // namespace
+}  // namespace etendue::manifold_test
