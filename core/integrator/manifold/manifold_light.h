@@ -81,6 +81,8 @@ class ManifoldLight {
   static constexpr int kNone = -1;
   // A typical probability that a walk finds a given solution, for the weights.
   static constexpr float kSuccess = 0.1f;
+  // Chains whose weight is smaller are kept with a probability in proportion to it.
+  static constexpr float kSmallWeight = 0.25f;
   // Chains begin at all first diffuse vertices of paths, but only at this share of those after them.
   static constexpr float kShareOfLaterVertices = 0.25f;
   static constexpr float kStraight = 0.5f;  // the share of walks that start straight towards the light
@@ -145,7 +147,7 @@ class ManifoldLight {
     ChainEnd end;
     if (target && find(tracer, hit, *target, random, chain, end)) {
       const auto scattered = scatter_into(hit, chain);
-      const Color radiance = radiance_along(tracer, *target, chain, end, scattered.pdf, share, state.time);
+      const Color radiance = radiance_along(tracer, *target, chain, end, scattered.pdf, share, state.time, random);
       if (!is_black(radiance) && !is_black(scattered.f_cos)) {
         const auto walks = static_cast<float>(walks_to_find_again(tracer, hit, *target, chain, end, random));
         add(hit, *target, chain, end, scattered, radiance * walks);
@@ -191,19 +193,22 @@ class ManifoldLight {
   }
 
   // The radiance from the target along a chain, times its weight over the density of the target. `bsdf_pdf` is that of
-  // the chain's direction, and `share` the probability of a walk at its start.
+  // the chain's direction, and `share` the probability of a walk at its start. Chains of small weight are black at random,
+  // which saves the search for them, and the others count for them.
   Color radiance_along(ChainTracer<M>& tracer, const ChainTarget& target, const Chain<M>& chain, const ChainEnd& end,
-                       float bsdf_pdf, float share, float time) const {
+                       float bsdf_pdf, float share, float time, ChainRandom& random) const {
     const Vec3 direction = target.is_infinite() ? chain.direction : target.direction_from(chain.last.position);
     const float distance = target.is_infinite() ? kInfinity : glm::distance(target.position(), chain.last.position);
     const float determinant = std::abs(end.derivatives.determinant());
     const auto arriving = targets_.arriving(target, direction, distance, determinant, time);
     if (is_black(arriving.radiance)) return Color(0);
-    const float weight = arriving.pdf > 0
-                             ? kSuccess * transport::mis_weight_over_pdf(kHeuristic, kSuccess * share * arriving.pdf,
-                                                                         bsdf_pdf * chain.probability)
-                             : 1 / share;
-    return chain.throughput * arriving.radiance * tracer.transmittance_to_end(chain, direction, distance) * weight;
+    const Color radiance = chain.throughput * arriving.radiance;
+    if (arriving.pdf == 0) return radiance * tracer.transmittance_to_end(chain, direction, distance) / share;
+    const float pdf = kSuccess * share * arriving.pdf;
+    const float weight_over_pdf = transport::mis_weight_over_pdf(kHeuristic, pdf, bsdf_pdf * chain.probability);
+    const float survival = std::min(1.0f, pdf * weight_over_pdf / kSmallWeight);
+    if (!(random.next() < survival)) return Color(0);
+    return radiance * tracer.transmittance_to_end(chain, direction, distance) * (kSuccess * weight_over_pdf / survival);
   }
 
   // The scattering at the start of a chain, restricted to the selected path classes.
