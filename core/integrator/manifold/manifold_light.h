@@ -81,8 +81,9 @@ class ManifoldLight {
   static constexpr int kNone = -1;
   // A typical probability that a walk finds a given solution, for the weights.
   static constexpr float kSuccess = 0.1f;
-  // Chains whose weight is smaller are kept with a probability in proportion to it.
-  static constexpr float kSmallWeight = 0.25f;
+  // Chains are kept with certainty if their weight times their throughput is larger, else with a probability in
+  // proportion to it.
+  static constexpr float kCertain = 0.25f;
   // Chains begin at all first diffuse vertices of paths, but only at this share of those after them.
   static constexpr float kShareOfLaterVertices = 0.25f;
   static constexpr float kStraight = 0.5f;  // the share of walks that start straight towards the light
@@ -193,8 +194,8 @@ class ManifoldLight {
   }
 
   // The radiance from the target along a chain, times its weight over the density of the target. `bsdf_pdf` is that of
-  // the chain's direction, and `share` the probability of a walk at its start. Chains of small weight are black at random,
-  // which saves the search for them, and the others count for them.
+  // the chain's direction, and `share` the probability of a walk at its start. Chains that transport little light are
+  // black at random, which saves the search for them, and the others count for them.
   Color radiance_along(ChainTracer<M>& tracer, const ChainTarget& target, const Chain<M>& chain, const ChainEnd& end,
                        float bsdf_pdf, float share, float time, ChainRandom& random) const {
     const Vec3 direction = target.is_infinite() ? chain.direction : target.direction_from(chain.last.position);
@@ -202,13 +203,16 @@ class ManifoldLight {
     const float determinant = std::abs(end.derivatives.determinant());
     const auto arriving = targets_.arriving(target, direction, distance, determinant, time);
     if (is_black(arriving.radiance)) return Color(0);
-    const Color radiance = chain.throughput * arriving.radiance;
-    if (arriving.pdf == 0) return radiance * tracer.transmittance_to_end(chain, direction, distance) / share;
-    const float pdf = kSuccess * share * arriving.pdf;
-    const float weight_over_pdf = transport::mis_weight_over_pdf(kHeuristic, pdf, bsdf_pdf * chain.probability);
-    const float survival = std::min(1.0f, pdf * weight_over_pdf / kSmallWeight);
+    float weight = 1, weight_over_pdf = 1 / share;
+    if (arriving.pdf > 0) {
+      const float pdf = kSuccess * share * arriving.pdf;
+      weight_over_pdf = kSuccess * transport::mis_weight_over_pdf(kHeuristic, pdf, bsdf_pdf * chain.probability);
+      weight = share * arriving.pdf * weight_over_pdf;
+    }
+    const float survival = std::min(1.0f, weight * max_component(chain.throughput) / kCertain);
     if (!(random.next() < survival)) return Color(0);
-    return radiance * tracer.transmittance_to_end(chain, direction, distance) * (kSuccess * weight_over_pdf / survival);
+    return chain.throughput * arriving.radiance * tracer.transmittance_to_end(chain, direction, distance) *
+           (weight_over_pdf / survival);
   }
 
   // The scattering at the start of a chain, restricted to the selected path classes.

@@ -8,21 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(Cli, FigureMakesAllOfItsFigures) {
-  const json list = json::parse(run("figure --json").out);
-  const Outcome all = run("figure --all --out figures --width 32 --effort 0.01");
-  ASSERT_EQ(all.code, 0) << all.err;
-  size_t made = 0;
-  for (const json& entry : list)
-    if (entry["made"] == true) {
-      ++made;
-      const auto file = folder_ / "figures" / ("figure-" + entry["number"].get<std::string>() + ".png");
-      EXPECT_GT(slurp(file).size(), 500u) << file;
-    }
-  EXPECT_GE(made, 126u);
-  EXPECT_GT(slurp(folder_ / "figures/contact-sheet.png").size(), 10000u);
-}
-
 TEST_F(Cli, FigureWritesOneFile) {
   ASSERT_EQ(run("figure 7.4").code, 0);
   EXPECT_EQ(slurp(folder_ / "figure-7.4.png").substr(1, 3), "PNG");

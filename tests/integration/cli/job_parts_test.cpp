@@ -138,7 +138,17 @@ TEST_F(JobParts, StressHasTheMatrixOfOneRun) {
 
 TEST_F(JobParts, FiguresHaveTheContactSheetOfOneRun) {
   const std::string command = "figure --all --width 32 --effort 0.01";
-  ASSERT_EQ(run(command + " --out one").code, 0);
+  const Outcome one = run(command + " --out one");
+  ASSERT_EQ(one.code, 0) << one.err;
+  size_t made = 0;
+  for (const json& entry : json::parse(run("figure --json").out))
+    if (entry["made"] == true) {
+      ++made;
+      const auto file = folder_ / "one" / ("figure-" + entry["number"].get<std::string>() + ".png");
+      EXPECT_GT(slurp(file).size(), 500U) << file;
+    }
+  EXPECT_GE(made, 126U);
+  EXPECT_GT(slurp(folder_ / "one/contact-sheet.png").size(), 10000U);
   const Outcome r = run("merge " + compute(command, 3, "parts") + "-o merged");
   ASSERT_EQ(r.code, 0) << r.err;
   size_t files = 0;

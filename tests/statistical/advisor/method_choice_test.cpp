@@ -123,6 +123,12 @@ TEST(MethodChoice, IncompleteIntegratorsAreRefused) {
   EXPECT_EQ(refusal_of(changed(d, "film.paths", "E[D|G]L"), "appel"), "");
 }
 
+TEST(MethodChoice, SpecialCasesAreCandidatesOnlyWhereTheyDiffer) {
+  EXPECT_EQ(refusal_of(builtin("cornell", 16), "path-manifold"),
+            "without mirrors and smooth glass it is the same as path");
+  EXPECT_EQ(refusal_of(builtin("cornell-spheres", 16), "path-manifold"), "");
+}
+
 TEST(MethodChoice, TheMaximumPathDepthIsThatOfTheDocument) {
   const auto d = changed(builtin("cornell", 16), "path.max-depth", "3");
   const auto scene = scene::compile(d.scene, d.camera, nullptr);

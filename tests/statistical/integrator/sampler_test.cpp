@@ -54,7 +54,7 @@ SeedMean mean_over_seeds(render::Document d, int seeds) {
 class EverySampler : public ::testing::TestWithParam<std::string> {};
 
 // The means of all samplers are those of `random`. With 12 seeds for each mean, their difference over its standard error
-// has about Student's distribution of 11 to 22 degrees of freedom: 238 comparisons with the bound of 8.5 have a false alarm
+// has about Student's distribution of 11 to 22 degrees of freedom: 252 comparisons with the bound of 8.5 have a false alarm
 // with a probability below 1e-3.
 TEST_P(EverySampler, HasTheMeanOfRandomNumbers) {
   constexpr int kSeeds = 12;
