@@ -87,8 +87,8 @@ class ManifoldLight {
   // Chains begin at all first diffuse vertices of paths, but only at this share of those after them.
   static constexpr float kShareOfLaterVertices = 0.25f;
   static constexpr float kStraight = 0.5f;  // the share of walks that start straight towards the light
-  // Solutions that fewer than one in this number of walks finds lose a part of their light.
-  static constexpr int kMaxWalks = 1 << 16;
+  // Blocks of walks. Chains that fewer than one in about 2 kLastBlock walks finds lose a part of their light.
+  static constexpr int kFirstBlock = 32, kLastBlock = 1 << 15;
 
   // The chain of a path since its last vertex that is not specular.
   struct FollowedChain {
@@ -150,7 +150,7 @@ class ManifoldLight {
       const auto scattered = scatter_into(hit, chain);
       const Color radiance = radiance_along(tracer, *target, chain, end, scattered.pdf, share, state.time, random);
       if (!is_black(radiance) && !is_black(scattered.f_cos)) {
-        const auto walks = static_cast<float>(walks_to_find_again(tracer, hit, *target, chain, end, random));
+        const float walks = walks_to_find_again(tracer, hit, *target, chain, end, random);
         add(hit, *target, chain, end, scattered, radiance * walks);
       }
     }
@@ -183,13 +183,20 @@ class ManifoldLight {
     return length < kEqual || (length < kClose && end.angle_of(step) < kEqualAtEnd);
   }
 
-  int walks_to_find_again(ChainTracer<M>& tracer, int hit, const ChainTarget& target, const Chain<M>& found,
-                          const ChainEnd& found_end, ChainRandom& random) {
+  // The number of walks until one finds the chain again, in expectation. Roulette ends long searches: after each block of
+  // walks, whose lengths double, a search goes on with probability 1/2, and its further walks count twice as much.
+  float walks_to_find_again(ChainTracer<M>& tracer, int hit, const ChainTarget& target, const Chain<M>& found,
+                            const ChainEnd& found_end, ChainRandom& random) {
     Chain<M> chain;
     ChainEnd end;
-    int walks = 1;
-    while (walks < kMaxWalks && !(find(tracer, hit, target, random, chain, end) && is_same(found, found_end, chain)))
-      ++walks;
+    float walks = 0, weight = 1;
+    for (int block = kFirstBlock; block <= kLastBlock; block *= 2, weight *= 2) {
+      for (int i = 0; i < block; ++i) {
+        walks += weight;
+        if (find(tracer, hit, target, random, chain, end) && is_same(found, found_end, chain)) return walks;
+      }
+      if (random.next() < 0.5f) break;
+    }
     return walks;
   }
 

@@ -47,7 +47,6 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
     };
   }
 
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
                              4,
@@ -63,7 +62,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
 
   using IntegratorBase::at_max_depth;
 
-  auto parameters() { return std::tie(max_depth, lights, roulette_start, max_chain); }
+  auto parameters() { return std::tie(max_depth, roulette_start, max_chain); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
@@ -104,7 +103,7 @@ class ManifoldState final : public RenderState {
   template <class M>
   uint64_t estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const auto sampling = LightSampling::compensated(integrator_.lights);
+    const auto sampling = LightSampling::compensated(LightStrategy::automatic);
     constexpr MisHeuristic mis = MisHeuristic::power;
     manifold::ManifoldLight<M> chains(paths, casters_, targets_, integrator_.max_chain, integrator_.max_depth);
     while (paths.trace()) {

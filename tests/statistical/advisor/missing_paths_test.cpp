@@ -81,7 +81,7 @@ std::vector<std::string> contradictions(const integrator::IntegratorInfo& info, 
   // Biased integrators must only find some light; unbiased integrators must find its amount.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
   for (const auto* row : rows) {
-    const auto energy = energy_by(info.name, unbiased ? d : sized(d, 16), row->paths, unbiased ? 256 : 64);
+    const auto energy = energy_by(info.name, unbiased ? d : sized(d, 16), row->paths, unbiased ? 128 : 64);
     if (!energy.found()) list.push_back("finds nothing of " + row->paths);
     if (!unbiased) continue;
     const double z = (energy.mean - row->energy.mean) / std::hypot(energy.standard_error, row->energy.standard_error);
