@@ -194,7 +194,7 @@ TEST(Refraction, OfBoxesInEachOther) {
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kWater, kDense, 1, kDense, kWater, 1});
   for (const std::string& name : see_through_glass())
-    expect_mean(with_integrator(looking_down(scene, 3), name), 256, expected);
+    expect_mean(with_integrator(looking_down(scene, 3), name), 128, expected);
 }
 
 // Touching faces are one interface.
@@ -206,7 +206,7 @@ TEST(Refraction, OfBoxesSideBySide) {
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kWater, kDense, 1});
   for (const std::string& name : see_through_glass())
-    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
+    expect_mean(with_integrator(looking_down(scene, 4), name), 128, expected);
 }
 
 // Three boxes that overlap along the view: the smallest has priority.
@@ -218,7 +218,7 @@ TEST(Refraction, OfBoxesThatOverlap) {
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kGlass, kWater, 1});
   for (const std::string& name : see_through_glass())
-    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
+    expect_mean(with_integrator(looking_down(scene, 4), name), 128, expected);
 }
 
 // Oblique refraction from water into a denser medium: Snell's law and Fresnel's equations use the ratio of the indices,
