@@ -13,9 +13,9 @@
 //
 // BSDF samples find area lights by the same chains, with a density p_b. Both techniques are weighted by multiple
 // importance sampling with the densities p and p_b: w is the weight of p. P is left out of the weights, which are a
-// function of the chain and have the sum 1; a constant takes its place. Close to a focus, where p vanishes, BSDF samples have all the weight. The
-// derivatives of chains that BSDF samples find are followed along the path. Chains of BSDF samples that are too long or
-// pass other specular surfaces than casters (specular_casters.h) have the weight 1.
+// function of the chain and have the sum 1; a constant takes its place. Close to a focus, where p vanishes, BSDF samples
+// have all the weight. The derivatives of chains that BSDF samples find are followed along the path. Chains of BSDF samples
+// that are too long or pass other specular surfaces than casters (specular_casters.h) have the weight 1.
 #pragma once
 #include "integrator/manifold/manifold_walk.h"
 #include "transport/wavefront/path_estimators.h"
