@@ -31,6 +31,7 @@ class ChainTargets {
     share_ = lights.environment().black() ? 1 : 1 - lights.emission_probability(lights.environment_number());
   }
 
+  // Without lights, or if the environment has nearly all of their power, so that sampling the others would take long.
   bool empty() const { return !(share_ > kMinShare); }
 
   std::optional<ChainTarget> sample(ChainRandom& random, float time) const {

@@ -35,8 +35,9 @@ class ManifoldLight {
         targets_(targets),
         max_chain_(max_chain),
         max_depth_(max_depth),
-        enabled_(!M::kDiffuse && !casters.empty() && !targets.empty()) {
-    if (enabled_) followed_.resize(transport::PathWavefront<M>::kCapacity);
+        enabled_(!M::kDiffuse && !casters.empty() && !targets.empty()),
+        followed_(chains_of_thread()) {
+    if (enabled_) followed_.assign(static_cast<size_t>(paths.size()), {});
   }
 
   uint64_t rays() const { return rays_; }
@@ -84,7 +85,7 @@ class ManifoldLight {
   // Chains are kept with certainty if their weight times their throughput is larger, else with a probability in
   // proportion to it.
   static constexpr float kCertain = 0.25f;
-  // Chains begin at all first diffuse vertices of paths, but only at this share of those after them.
+  // A walk starts at the first vertex of a path that is not specular, and at this share of those after it.
   static constexpr float kShareOfLaterVertices = 0.25f;
   static constexpr float kStraight = 0.5f;  // the share of walks that start straight towards the light
   // Blocks of walks. Chains that fewer than one in about 2 kLastBlock walks finds lose a part of their light.
@@ -99,6 +100,11 @@ class ManifoldLight {
     RayDerivatives derivatives;
     float share_here = 1;  // the probability of a walk at the current vertex of the path
   };
+  // Kept between blocks of pixels to save allocations.
+  static std::vector<FollowedChain>& chains_of_thread() {
+    static thread_local std::vector<FollowedChain> chains;
+    return chains;
+  }
   FollowedChain& followed(int hit) { return followed_[static_cast<size_t>(paths_.path_at(hit))]; }
   const FollowedChain& followed(int hit) const { return followed_[static_cast<size_t>(paths_.path_at(hit))]; }
 
@@ -135,8 +141,8 @@ class ManifoldLight {
     const int path = paths_.path_at(hit);
     const scene::SurfacePoint& x = paths_.point(hit);
     const auto& state = paths_.state(path);
-    const uint32_t seed = hash_combine(paths_.opacity_seed(path), static_cast<uint32_t>(paths_.length()));
-    ChainRandom random(seed);
+    const uint32_t seed = paths_.opacity_seed(path) + static_cast<uint32_t>(paths_.length());
+    ChainRandom random(uint64_t{hash_combine(state.seed, paths_.sample())} << 32 | seed);
     const float share = state.all_specular ? 1 : kShareOfLaterVertices;
     followed(hit).share_here = share;
     if (share < 1 && !(random.next() < share)) return;
@@ -266,7 +272,7 @@ class ManifoldLight {
   const int max_chain_, max_depth_;
   const bool enabled_;
   uint64_t rays_ = 0;
-  std::vector<FollowedChain> followed_;      // by path
+  std::vector<FollowedChain>& followed_;     // by path
   std::vector<Color> shares_, next_shares_;  // by automaton state
 };
 

@@ -1,8 +1,8 @@
 // Path tracing with manifold next event estimation                       [Hanika et al. 2015; Zeltner et al. 2020]
 //
-// Path tracing (path_tracing.cpp) that also connects diffuse vertices to area lights, and all that are not specular to
-// point lights, by way of mirrors and smooth glass. From a vertex x, a chain of specular events is started in a random direction towards a mirror or glass, and its direction is
-// changed by Newton's method until the chain ends at a sampled point y of a light:
+// Path tracing (path_tracing.cpp) that also connects vertices to lights by way of mirrors and smooth glass. From a vertex x
+// that is not specular, a chain of specular events is started in a random direction towards a mirror or glass. Newton's
+// method changes its direction until the chain ends at a sampled point y of a light:
 //
 //    L  +=  w f_s |cos| T L_e |cos_y| / ( p_A(y) |det dy/dw| ) * N
 //
@@ -21,6 +21,7 @@
 //                 starts at the first vertex of a path that is not specular, and at one in four of those after it
 //   Limitations   Walks cost time where light by way of mirrors and glass does not matter, and where lights are large.
 //                 Glass of many flat facets has a chain for each of them, which are found one at a time.
+//                 Where the environment has more than nine tenths of the power of all lights, no chain is sampled.
 //                 Scattering media and wavelengths are not supported.
 #include "integrator/manifold/manifold_light.h"
 #include "integrator/registration.h"
@@ -34,15 +35,17 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
     return {
         .name = "path-manifold",
         .label = "Path tracing with manifold next event estimation",
-        .summary = "Path tracing that connects diffuse surfaces to lights by way of mirrors and glass",
+        .summary = "Path tracing that connects surfaces to lights by way of mirrors and smooth glass",
         .group = Group::gathering,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)[S[S[S[S]]]]L",
         .bias = Bias::unbiased,
-        .cost = "2 rays per vertex; with mirrors or glass 10 to some 100 rays per diffuse vertex besides",
+        .cost = "2 rays per vertex; with mirrors or glass 10 to some 100 rays per walk besides",
         .limitations =
             "Walks cost time where light by way of mirrors and glass does not matter, and where lights are large. "
-            "Mirrors and glass with normal maps, opacity or motion are passed as in path tracing.",
+            "Mirrors and glass with normal maps, opacity or motion are passed as in path tracing, as is all glass "
+            "where the "
+            "environment has nine tenths of the power.",
         .accumulation = Accumulation::per_pixel,
     };
   }
@@ -52,13 +55,12 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
                              4,
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
-  Number<int> max_chain{
-      "max-chain",
-      "Max. specular chain",
-      4,
-      {1, manifold::ChainType::kMaxLength},
-      "Reflections and refractions between a diffuse surface and a light. A glass sphere needs 2, two "
-      "of them 4. Longer chains are found as in path tracing"};
+  Number<int> max_chain{"max-chain",
+                        "Max. specular chain",
+                        4,
+                        {1, manifold::ChainType::kMaxLength},
+                        "Reflections and refractions between a surface and a light. A glass sphere needs 2, two "
+                        "of them 4. Longer chains are found as in path tracing"};
 
   using IntegratorBase::at_max_depth;
 
@@ -66,9 +68,11 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
-  // Of point lights and directional lights, chains that pass other specular surfaces than casters are missing.
+  // Of point lights and directional lights, chains that pass other specular surfaces than casters are missing, and all
+  // chains if none are sampled.
   SampledPaths sampled_paths(const scene::CompiledScene* scene) const final {
-    if (scene && !manifold::has_only_casters(*scene)) return {"E(D|G|S)*L", "E.*(D|G)L"};
+    if (scene && (!manifold::has_only_casters(*scene) || manifold::ChainTargets(*scene).empty()))
+      return {"E(D|G|S)*L", "E.*(D|G)L"};
     std::string chain;
     for (int i = 0; i < max_chain; ++i) chain = "[S" + chain + ']';
     return {"E(D|G|S)*L", "E.*(D|G)" + chain + 'L'};
