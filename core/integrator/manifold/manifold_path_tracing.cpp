@@ -1,6 +1,7 @@
-// Path tracing with manifold next event estimation                       [Hanika et al. 2015; Zeltner et al. 2020]
+// Manifold path tracing                                                  [Hanika et al. 2015; Zeltner et al. 2020]
 //
-// Path tracing (path_tracing.cpp) that also connects vertices to lights by way of mirrors and smooth glass. From a vertex x
+// Path tracing (path_tracing.cpp) with manifold next event estimation: it also connects vertices to lights by way of
+// mirrors and smooth glass. From a vertex x
 // that is not specular, a chain of specular events is started in a random direction towards a mirror or glass. Newton's
 // method changes its direction until the chain ends at a sampled point y of a light:
 //
@@ -34,7 +35,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
   static IntegratorInfo info() {
     return {
         .name = "path-manifold",
-        .label = "Path tracing with manifold next event estimation",
+        .label = "Manifold path tracing",
         .summary = "Path tracing that connects surfaces to lights by way of mirrors and smooth glass",
         .group = Group::gathering,
         .paths = "E(D|G|S)*L",

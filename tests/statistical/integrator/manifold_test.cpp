@@ -61,8 +61,8 @@ TEST(ManifoldPathTracing, PointLightInAPlaneMirror) {
     }
 }
 
-// Rays towards the light do not meet the mirror, so half of the walks fail. The mean is compared with 4.5 times its standard
-// error: a false alarm has a probability of 7e-6.
+// Rays towards the light do not meet the mirror, so only walks from random starts can arrive. The mean is compared with 4.5
+// times its standard error: a false alarm has a probability of 7e-6.
 TEST(ManifoldPathTracing, DirectionalLightInAPlaneMirror) {
   auto scene = floor_and_mirror();
   Light light = make_light("directional");
