@@ -1,9 +1,9 @@
 // Manifold path tracing                                                  [Hanika et al. 2015; Zeltner et al. 2020]
 //
 // Path tracing (path_tracing.cpp) with manifold next event estimation: it also connects vertices to lights by way of
-// mirrors and smooth glass. From a vertex x
-// that is not specular, a chain of specular events is started in a random direction towards a mirror or glass. Newton's
-// method changes its direction until the chain ends at a sampled point y of a light:
+// mirrors and smooth glass. From a vertex x that is not specular, a chain of specular events is started in a random
+// direction towards a mirror or glass. Newton's method changes its direction until the chain ends at a sampled point y of a
+// light:
 //
 //    L  +=  w f_s |cos| T L_e |cos_y| / ( p_A(y) |det dy/dw| ) * N
 //
