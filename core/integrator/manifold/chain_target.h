@@ -12,6 +12,14 @@ struct ChainTarget {
   Emission emission;
   scene::SurfacePoint point;  // of an area light
 
+  // A point of an area light.
+  static ChainTarget at(const scene::SurfacePoint& point) {
+    ChainTarget target;
+    target.emission.kind = LightKind::triangle;
+    target.point = point;
+    return target;
+  }
+
   bool is_area() const { return emission.kind == LightKind::triangle; }
   bool is_infinite() const { return emission.density.infinite; }
   Vec3 direction_from(const Vec3& from) const {

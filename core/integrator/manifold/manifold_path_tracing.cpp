@@ -9,8 +9,8 @@
 //
 // T is the product of the specular coefficients, det dy/dw the determinant of the derivative of the end of the chain by
 // its direction at x. N is the number of further walks until one of them finds the same chain again: an unbiased
-// estimate of one over the probability of finding it. w weights chains against BSDF samples, which find the same light
-// (manifold_light.h).
+// estimate of one over the probability of finding it. w is the weight of chains against BSDF samples, which find the same
+// light. It falls with the number of walks that it takes to find the chain (walk_weights.h).
 //
 // Chains to area lights, point lights and directional lights are found; chains to the environment, which BSDF samples
 // find more easily, are not. Smooth surfaces with normal maps, stochastic opacity or motion are passed by BSDF samples
@@ -45,8 +45,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
         .limitations =
             "Walks cost time where light by way of mirrors and glass does not matter, and where lights are large. "
             "Mirrors and glass with normal maps, opacity or motion are passed as in path tracing, as is all glass "
-            "where the "
-            "environment has nine tenths of the power.",
+            "where the environment has nine tenths of the power.",
         .accumulation = Accumulation::per_pixel,
     };
   }

@@ -21,15 +21,18 @@ struct ChainType {
   int length = 0;
   uint32_t transmitted = 0;  // bit k: at vertex k
 
+  void append(bool is_transmitted) { transmitted |= (is_transmitted ? 1U : 0U) << length++; }
   bool operator==(const ChainType&) const = default;
 };
 
 // Where chains begin.
 template <class M>
 struct ChainStart {
-  const scene::SurfacePoint* point;
-  float time;
-  uint32_t seed;                                   // of stochastic opacity
+  scene::SurfacePoint point;
+  Vec3 wo;  // the direction from which the point is seen
+  float time = 0;
+  uint32_t seed = 0;                               // of stochastic opacity
+  int max_length = 0;                              // of chains
   std::array<transport::MediumState<M>, 2> media;  // on the back and on the front of the surface
 };
 
@@ -65,6 +68,7 @@ class ChainTracer {
 
   ChainTracer(const scene::CompiledScene& scene, const ChainStart<M>& start) : scene_(scene), start_(start) {}
 
+  const ChainStart<M>& start() const { return start_; }
   uint64_t rays() const { return rays_; }
 
   // The chain of a given type in a direction; false if there is none.
@@ -81,13 +85,12 @@ class ChainTracer {
     return true;
   }
 
-  // A chain of a random type and at most `max_length` vertices in a direction, to reach a point; false if there is none.
-  bool trace_any(const Vec3& direction, const std::optional<Vec3>& end, int max_length, ChainRandom& random,
-                 Chain<M>& chain) {
+  // A chain of a random type in a direction, to reach a point; false if there is none.
+  bool trace_any(const Vec3& direction, const std::optional<Vec3>& end, ChainRandom& random, Chain<M>& chain) {
     // The probability that a chain ends before the next caster, if that is closer than the point and if it is not.
     constexpr float kStopAtFarPoint = 0.05f, kStopAtNearPoint = 0.5f;
     begin(direction, chain);
-    while (chain.type.length < max_length) {
+    while (chain.type.length < start_.max_length) {
       Vertex x;
       if (!next_vertex(chain, x)) break;
       const bool is_near = end && glm::distance(chain.last.position, *end) < x.distance;
@@ -133,10 +136,10 @@ class ChainTracer {
     chain.type = {};
     chain.throughput = Color(1);
     chain.probability = 1;
-    chain.last = *start_.point;
+    chain.last = start_.point;
     chain.direction = direction;
     chain.derivatives = RayDerivatives::around(chain.start);
-    chain.medium = start_.media[glm::dot(start_.point->ng, direction) >= 0 ? 1 : 0];
+    chain.medium = start_.media[glm::dot(start_.point.ng, direction) >= 0 ? 1 : 0];
   }
 
   // The next vertex; false if the chain hits none that is a caster.
@@ -176,8 +179,7 @@ class ChainTracer {
     chain.last = x.point;
     chain.direction = event.wi;
     if constexpr (M::kMedia) chain.medium = x.interface.side(glm::dot(x.point.ng, event.wi) >= 0);
-    if (transmitted) chain.type.transmitted |= 1U << chain.type.length;
-    ++chain.type.length;
+    chain.type.append(transmitted);
   }
 
   const scene::CompiledScene& scene_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "advisor/declared_paths.h"
+#include "integrator/manifold/walk_weights.h"
 #include "support/independent_estimates.h"
 #include "support/integrator_scenes.h"
 #include "support/resume.h"
@@ -123,6 +124,25 @@ TEST(ManifoldPathTracing, FindsCausticsThroughWater) {
     return sum;
   };
   EXPECT_LT(variance("path-manifold"), 0.1 * variance("path"));
+}
+
+// The estimate of the weight over P, summed over the distributions of both numbers of walks, is the expected weight over P;
+// BSDF samples have the rest of the expected weight by definition.
+TEST(ManifoldPathTracing, WeightsOfWalksHaveNoBias) {
+  constexpr int kCertain = 31;
+  for (const float ratio : {8.0f, 60.0f, 2000.0f})  // of the densities
+    for (const double p : {0.5, 0.1, 0.02}) {
+      const integrator::manifold::WalkWeights weights(ratio, 1);
+      ASSERT_FALSE(weights.none() || weights.all());
+      double expected = 0, estimate = 0;
+      for (int m = 1; m <= weights.longest_search(); ++m) {
+        const double found = p * std::pow(1 - p, m - 1);
+        expected += found * weights.after(m) / p;
+        for (int n = 1; n < 2000; ++n)
+          estimate += found * p * std::pow(1 - p, n - 1) * weights.over_probability(m, static_cast<float>(n), kCertain);
+      }
+      EXPECT_NEAR(estimate / expected, 1, 1e-5) << ratio << ' ' << p;
+    }
 }
 
 TEST(ManifoldPathTracing, ThreadsDoNotMatter) {
