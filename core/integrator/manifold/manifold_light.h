@@ -55,7 +55,8 @@ class ManifoldLight {
       const float pdf = chain.share * targets_.pdf(target.point, direction, std::abs(end.derivatives.determinant()),
                                                    paths_.state_at(hit).time);
       const WalkWeights weights(pdf, chain.pdf);
-      if (weights.none() || weights.all()) return weights.none() ? 1 : 0;
+      if (weights.none()) return 1;
+      if (weights.all()) return 0;
       ChainRandom random = random_of(hit);
       ChainTracer<M> tracer(paths_.scene(), chain.start);
       const auto walks = SolutionFinder<M>(casters_, tracer, target, random)

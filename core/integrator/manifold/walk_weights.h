@@ -24,11 +24,9 @@ class WalkWeights {
   // Walks have no weight.
   bool none() const { return longest_search() < 1; }
   // After how many walks a search ends, because the weight is small if it takes longer.
-  int longest_search() const {
-    return all() ? kLongestSearch : static_cast<int>(std::min<float>(kLongestSearch, kSearch * pdf_ / bsdf_pdf_));
-  }
+  int longest_search() const { return static_cast<int>(std::min<float>(kLongestSearch, kSearch * pdf_ / bsdf_pdf_)); }
   // A typical weight.
-  float typical() const { return all() ? 1 : weight(kTypicalSuccess); }
+  float typical() const { return weight(kTypicalSuccess); }
   // The weight if the search found the solution with walk number `walks`.
   float after(int walks) const { return weight(kSuccessOfFirst / static_cast<float>(walks)); }
 
