@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "support/sanitizer.h"
+
 namespace etendue::viewer_test {
 namespace {
 
@@ -258,9 +260,7 @@ TEST_F(Viewer, EditOfTheDisplayDoesNotRestartTheRendering) {
 }
 
 TEST_F(Viewer, IdleInterfaceTakesLittleProcessorTime) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "with a sanitizer, drawing may take longer than the longest interval allows";
-#endif
+  if (test::kHasSanitizer) GTEST_SKIP() << "drawing may take longer than the longest interval allows";
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"seconds", 7}}, file_step("state", path("a.json"))})), 0);
   const double share = state("a.json")["interface_share"].get<double>();
   EXPECT_GT(share, 0);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "file_drag.h"
+#include "support/sanitizer.h"
 
 namespace etendue::test {
 namespace {
@@ -20,11 +21,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // Other tests may use all processors meanwhile; programs with sanitizers need many times as long.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kPatience = 10;
-#else
-constexpr int kPatience = 3;
-#endif
+constexpr int kPatience = kHasSanitizer ? 10 : 3;
 constexpr auto kTimeout = kPatience * std::chrono::seconds(10);
 constexpr auto kStartTimeout = kPatience * std::chrono::seconds(60);
 constexpr auto kPoll = std::chrono::milliseconds(20);
