@@ -173,6 +173,7 @@ int main(int argc, char** argv) {
   const int edits = argc > 1 ? std::atoi(argv[1]) : 200;
   const std::string data = test::data_folder();
   if (data.empty()) return std::fprintf(stderr, "latency_bench: set ETENDUE_TEST_DATA\n"), 2;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a run takes minutes
   bool fine = true;
   for (const char* file : {"/scenes/staircase2/staircase2.glb", "/gltf/ToyCar/glTF/ToyCar.gltf"}) {
     auto document = render::new_document(data + file);

@@ -148,21 +148,22 @@ std::shared_ptr<const Preview> FrameMaker::preview(const film::Film& film, int s
   return preview;
 }
 
-std::shared_ptr<Frame> FrameMaker::enlarged(const Preview& preview, int width, int height) {
+std::shared_ptr<Frame> FrameMaker::enlarged(const Preview& preview, int width, int height,
+                                            const KeepGoing& keep_going) {
   const Canvas canvas = new_canvas(width, height);
   canvas.frame->preview_scale = preview.scale;
-  workers_.run_ranges(height, [&](int first, int end) {
+  const auto fill = [&](int first, int end) {
     Enlarger enlarger(preview);
     for (int y = first; y < end; ++y) enlarger.fill(y, canvas.row(y));
-  });
-  return canvas.frame;
+  };
+  return workers_.run_ranges(height, fill, keep_going) ? canvas.frame : nullptr;
 }
 
 std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Preview* preview,
-                                        const film::FireflyReweighting* reweighting) {
+                                        const film::FireflyReweighting* reweighting, const KeepGoing& keep_going) {
   const Canvas canvas = new_canvas(film.width(), film.height());
   canvas.frame->preview_scale = preview ? preview->scale : 1;
-  workers_.run_ranges(film.height(), [&](int first, int end) {
+  const auto fill = [&](int first, int end) {
     std::optional<Enlarger> enlarger;
     if (preview) enlarger.emplace(*preview);
     for (int y = first; y < end; ++y) {
@@ -170,8 +171,8 @@ std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Preview* p
       fill_with_means(film, y, preview != nullptr, canvas.row(y));
       if (reweighting) fill_reweighted(*reweighting, film, y, canvas.row(y));
     }
-  });
-  return canvas.frame;
+  };
+  return workers_.run_ranges(film.height(), fill, keep_going) ? canvas.frame : nullptr;
 }
 
 }  // namespace etendue::render

@@ -1,6 +1,7 @@
 // Frames: images for display, and how they are made from films.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,19 +32,22 @@ struct Preview {
 };
 
 // Makes frames on all workers. The pixel arrays of released frames are reused, because allocating fresh memory takes
-// longer than filling it.
+// longer than filling it. A large frame takes tens of milliseconds: it is null if `keep_going` stops it.
 class FrameMaker {
  public:
+  using KeepGoing = std::function<bool()>;
   explicit FrameMaker(ThreadPool& workers);
 
   // The preview in a film of 1 / scale of the image's size.
   static std::shared_ptr<const Preview> preview(const film::Film& film, int scale);
   // A preview enlarged to the size of the image, with interpolation between the centres of the blocks.
-  std::shared_ptr<Frame> enlarged(const Preview& preview, int width, int height);
+  std::shared_ptr<Frame> enlarged(
+      const Preview& preview, int width, int height, const KeepGoing& keep_going = [] { return true; });
   // The means of a film. Pixels without samples show the preview, or are black if it is null. The means are re-weighted
   // if there are firefly reweighting.
-  std::shared_ptr<Frame> full(const film::Film& film, const Preview* preview,
-                              const film::FireflyReweighting* reweighting);
+  std::shared_ptr<Frame> full(
+      const film::Film& film, const Preview* preview, const film::FireflyReweighting* reweighting,
+      const KeepGoing& keep_going = [] { return true; });
 
  private:
   struct Pool;

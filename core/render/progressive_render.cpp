@@ -169,7 +169,8 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
     const auto keep_going = [&] { return still_needed() && seconds_since(slice_start) < kStatusInterval; };
     complete = renderer.advance(workers_, {film}, keep_going, counters, still_needed);
     on_progress(renderer);
-    if (complete || !needs_substitute || !renderer.progress().phase || seconds_since(start) < kSubstituteDelay) continue;
+    if (complete || !needs_substitute || !renderer.progress().phase || seconds_since(start) < kSubstituteDelay)
+      continue;
     needs_substitute = false;
     substitute(kSubstituteSamples);
   }
@@ -181,8 +182,10 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   shows_substitute_ = false;
   preview_ = frames_.preview(film, scale);
   preview_resolution_.frame_completed();
-  auto frame = frames_.enlarged(*preview_, document_.width, document_.height);
-  frame->samples = samples_;
+  // The first frame of an edit is shown in any case.
+  const auto keep_enlarging = [&] { return awaits_first_frame_ || keep_going_(); };
+  auto frame = frames_.enlarged(*preview_, document_.width, document_.height, keep_enlarging);
+  if (frame) frame->samples = samples_;
   return frame;
 }
 
@@ -284,12 +287,14 @@ bool ProgressiveRender::update_statistics() {
 std::shared_ptr<Frame> ProgressiveRender::frame_after_slice(bool finished) {
   if (!interactive_ || is_first_slice()) return nullptr;
   // The last frame is made even if the session is interrupted, because no slice follows it.
-  if (!keep_going_() && !finished) return nullptr;
+  const auto keep_going = [&] { return finished || keep_going_(); };
+  if (!keep_going()) return nullptr;
   const bool unchanged = counters_.paths == paths_in_frame_ && samples_ == samples_in_frame_;
   if (!awaits_first_frame_ && unchanged) return nullptr;
+  auto frame = frames_.full(film_.film(), samples_ > 0 ? nullptr : preview_.get(), film_.reweighting(), keep_going);
+  if (!frame) return nullptr;
   paths_in_frame_ = counters_.paths;
   samples_in_frame_ = samples_;
-  auto frame = frames_.full(film_.film(), samples_ > 0 ? nullptr : preview_.get(), film_.reweighting());
   frame->samples = samples_;
   return frame;
 }

@@ -21,6 +21,12 @@
 
 namespace etendue::scene {
 
+// Which triangles of a mesh are lights, where textured emission is black on others.
+struct EmittingTriangles {
+  std::vector<uint32_t> numbers;  // per triangle: its number among those that emit, or InstanceData::kNotALight
+  uint32_t count = 0;             // of triangles that emit
+};
+
 struct InstanceData {
   std::shared_ptr<const Mesh> mesh;  // in world space if `to_world` is the identity
   Mat4 to_world{1};
@@ -32,12 +38,14 @@ struct InstanceData {
   uint32_t material = 0;
   uint32_t node = 0;                  // the object that picking selects
   float cosine_exponent = 0;          // cosine exponent of its emission, see Light
-  uint32_t first_light = kNotALight;  // light index of its first triangle
+  uint32_t first_light = kNotALight;  // light index of its first triangle that emits
   uint32_t solid = kNoSolid;          // number of the solid that it bounds
   // The motion, or null. All other members hold at shutter opening. A mesh that deforms is in world space.
   std::shared_ptr<const Motion> motion = nullptr;
   // The analytic shape of a sphere or disk light; the mesh only has its extent then.
   std::shared_ptr<const AnalyticShape> round = nullptr;
+  // Null if it is no area light, or if all of its triangles are lights.
+  std::shared_ptr<const EmittingTriangles> emitting = nullptr;
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
 
@@ -133,9 +141,11 @@ class CompiledScene final : public OpacityTest {
   }
   // The index of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {
-    const uint32_t first = point.instance->first_light;
-    return first == InstanceData::kNotALight ? first
-                                             : first + point.triangle;  // a sphere or disk counts as one triangle
+    const InstanceData& instance = *point.instance;
+    if (instance.first_light == InstanceData::kNotALight) return InstanceData::kNotALight;
+    if (!instance.emitting) return instance.first_light + point.triangle;  // a sphere or disk counts as one triangle
+    const uint32_t number = instance.emitting->numbers[point.triangle];
+    return number == InstanceData::kNotALight ? number : instance.first_light + number;
   }
 
   // Whether the scenes differ at most in the camera.

@@ -333,7 +333,10 @@ size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
                  lights_->triangles().size() * (sizeof(AreaLightTriangle) + 16);
   std::unordered_map<const void*, size_t> shared;  // each shared array counts once
-  for (const auto& instance : *instances_) shared[instance.mesh.get()] = instance.mesh->memory();
+  for (const auto& instance : *instances_) {
+    shared[instance.mesh.get()] = instance.mesh->memory();
+    if (instance.emitting) shared[instance.emitting.get()] = instance.emitting->numbers.size() * sizeof(uint32_t);
+  }
   for (const auto& texture : *textures_)
     if (texture.image) shared[texture.image.get()] = texture.image->memory();
   for (const auto& [_, size] : shared) bytes += size;

@@ -368,17 +368,11 @@ class Compiler {
     result_->lights_ = previous_->lights_;
     if (!result_->report_.top_level_built) return;
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    for (size_t i = 0; i < instances->size(); ++i)
+    for (size_t i = 0; i < instances->size(); ++i) {
       (*instances)[i].first_light = (*previous_->instances_)[i].first_light;
+      (*instances)[i].emitting = (*previous_->instances_)[i].emitting;
+    }
     result_->instances_ = std::move(instances);
-  }
-
-  // The number of triangles that emit.
-  size_t area_light_triangles() const {
-    size_t count = 0;
-    for (const InstanceData& instance : *result_->instances_)
-      if (is_area_light((*result_->materials_)[instance.material])) count += instance.mesh->triangles.size();
-    return count;
   }
 
   void lights() {
@@ -386,7 +380,6 @@ class Compiler {
     if (same_lights()) return keep_lights();
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
     std::vector<AreaLightTriangle> triangles;
-    triangles.reserve(area_light_triangles());
     std::vector<MovingEmitter> moving;
     std::vector<AnalyticAreaLight> round_lights;
     for (uint32_t i = 0; i < instances->size(); ++i) {
@@ -399,22 +392,33 @@ class Compiler {
         triangles.push_back(emissive_round(instance, material, i, round_lights));
         continue;
       }
-      const AreaLightTriangle* known = previous_emission(instance, i);
-      const size_t count = instance.mesh->triangles.size();
-      if (known && same_surface(instance, (*previous_->instances_)[i])) {
-        triangles.insert(triangles.end(), known, known + count);
-        continue;
+      if (emits_as_before(instance, i)) {
+        const InstanceData& old = (*previous_->instances_)[i];
+        const std::span<const AreaLightTriangle> known = previous_emission(old);
+        instance.emitting = old.emitting;
+        if (same_surface(instance, old)) {
+          triangles.insert(triangles.end(), known.begin(), known.end());
+          continue;
+        }
+        add_moved(instance, material, i, known, triangles);
+      } else {
+        instance.emitting = add_emissive(instance, material, i, triangles);
       }
-      add_emissive(instance, material, i, known, triangles);
       if (!instance.motion) continue;
       moving.resize(instances->size());
       moving[i] = {instance.mesh, instance.motion};
     }
     result_->instances_ = std::move(instances);
     result_->lights_ =
-        std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                     bounds_with_atmosphere(), std::move(moving), std::move(round_lights), portals());
+        std::make_shared<LightTable>(std::move(triangles), placed_lights(), environment_map(), bounds_with_atmosphere(),
+                                     std::move(moving), std::move(round_lights), portals());
     result_->report_.lights_built = true;
+  }
+
+  std::shared_ptr<const EnvironmentMap> environment_map() const {
+    if (previous_ && previous_->description().environment == scene_->environment)
+      return previous_->lights_->shared_environment();
+    return std::make_shared<const EnvironmentMap>(scene_->environment);
   }
 
   // The bounds of the scene or, if the sphere of the atmosphere is larger, those of a cube that it circumscribes. Light
@@ -428,30 +432,59 @@ class Compiler {
     return {bounds.center() - half, bounds.center() + half};
   }
 
-  // The emissive triangles of the same instance in the previous scene, if it emits the same radiance: an edit that moves
-  // it does not change the means over its texture. Null if it may emit another one.
-  const AreaLightTriangle* previous_emission(const InstanceData& instance, uint32_t i) const {
-    if (!previous_ || previous_->materials_ != result_->materials_ || i >= previous_->instances_->size())
-      return nullptr;
+  // Whether the same instance of the previous scene emits the same radiance: an edit that moves it does not change the
+  // means over its texture.
+  bool emits_as_before(const InstanceData& instance, uint32_t i) const {
+    if (!previous_ || previous_->materials_ != result_->materials_ || i >= previous_->instances_->size()) return false;
     const InstanceData& old = (*previous_->instances_)[i];
-    if (old.first_light == InstanceData::kNotALight || old.round || old.material != instance.material) return nullptr;
-    if (!same_parametrization(*instance.mesh, *old.mesh)) return nullptr;
-    return &previous_->lights_->triangles()[old.first_light];
+    if (old.first_light == InstanceData::kNotALight || old.round || old.material != instance.material) return false;
+    return same_parametrization(*instance.mesh, *old.mesh);
   }
 
-  // Appends all triangles of an instance. `known` are those of the previous scene, or null.
-  static void add_emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                           const AreaLightTriangle* known, std::vector<AreaLightTriangle>& triangles) {
+  // The lights of an instance of the previous scene.
+  std::span<const AreaLightTriangle> previous_emission(const InstanceData& old) const {
+    const size_t count = old.emitting ? old.emitting->count : old.mesh->triangles.size();
+    return std::span(previous_->lights_->triangles()).subspan(old.first_light, count);
+  }
+
+  // Calls job(i) for all i below `count`, on all threads.
+  static void for_each_triangle(size_t count, const std::function<void(size_t)>& job) {
     constexpr size_t kTrianglesOfAJob = 2048;
+    const auto range = [&](size_t number) {
+      const size_t begin = number * kTrianglesOfAJob;
+      for (size_t t = begin; t < std::min(begin + kTrianglesOfAJob, count); ++t) job(t);
+    };
+    gltf::run_jobs((count + kTrianglesOfAJob - 1) / kTrianglesOfAJob, range, [](float) { return true; });
+  }
+
+  // Appends the lights of an instance that emits as before at another place. `known` are those of the previous scene.
+  static void add_moved(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                        std::span<const AreaLightTriangle> known, std::vector<AreaLightTriangle>& triangles) {
+    const size_t first = triangles.size();
+    triangles.resize(first + known.size());
+    for_each_triangle(known.size(), [&](size_t t) {
+      triangles[first + t] = emissive(instance, material, i, known[t].triangle, &known[t].radiance);
+    });
+  }
+
+  // Appends the lights of an instance. Triangles on which an emission texture is black are left out; the result tells
+  // which, and is null if there are none.
+  static std::shared_ptr<const EmittingTriangles> add_emissive(const InstanceData& instance,
+                                                               const SurfaceMaterial& material, uint32_t i,
+                                                               std::vector<AreaLightTriangle>& triangles) {
     const size_t count = instance.mesh->triangles.size(), first = triangles.size();
     triangles.resize(first + count);
-    const auto job = [&](size_t number) {
-      const size_t begin = number * kTrianglesOfAJob;
-      for (size_t t = begin; t < std::min(begin + kTrianglesOfAJob, count); ++t)
-        triangles[first + t] =
-            emissive(instance, material, i, static_cast<uint32_t>(t), known ? &known[t].radiance : nullptr);
-    };
-    gltf::run_jobs((count + kTrianglesOfAJob - 1) / kTrianglesOfAJob, job, [](float) { return true; });
+    for_each_triangle(count, [&](size_t t) {
+      triangles[first + t] = emissive(instance, material, i, static_cast<uint32_t>(t), nullptr);
+    });
+    const auto is_dark = [](const AreaLightTriangle& t) { return is_black(t.radiance); };
+    const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(first);
+    if (!material.emission || std::none_of(begin, triangles.end(), is_dark)) return nullptr;
+    triangles.erase(std::remove_if(begin, triangles.end(), is_dark), triangles.end());
+    auto emitting = std::make_shared<EmittingTriangles>();
+    emitting->numbers.assign(count, InstanceData::kNotALight);
+    for (size_t t = first; t < triangles.size(); ++t) emitting->numbers[triangles[t].triangle] = emitting->count++;
+    return emitting;
   }
 
   // `known_mean` is the mean of textured emission; null if it is to be computed.

@@ -5,6 +5,7 @@
 #include "advisor/declared_paths.h"
 #include "advisor/reference_integrator.h"
 #include "render/incompatibility.h"
+#include "render/with_integrator.h"
 #include "scene/light_kinds.h"
 
 namespace etendue::advisor {
@@ -26,24 +27,6 @@ Automaton possible_paths(const render::Document& document, const scene::Compiled
   return common(requested, PathExpression::parse_paths("E(D|G|V)*L")->automaton());
 }
 
-// The value of "max-depth" of a method, if its integrator has this parameter.
-const Value* max_depth_of(const render::MethodSettings& method) {
-  for (const auto& [name, value] : method.settings)
-    if (name == method.integrator + ".max-depth") return &value;
-  const auto* info = find_parameter(integrator::find_integrator(method.integrator)->parameters, "max-depth");
-  return info ? &info->default_value : nullptr;
-}
-
-render::MethodSettings method_with(const std::string& integrator, const render::Document& document) {
-  render::Document d = document;
-  d.method.integrator = integrator;
-  const Value* depth = max_depth_of(document.method);
-  if (depth && max_depth_of(d.method))
-    if (auto limited = render::with(d, integrator + ".max-depth", *depth)) d = std::move(*limited);
-  if (!render::adaptive_incompatibility(integrator).empty()) d.method.adaptive = render::Adaptive::off;
-  return d.method;
-}
-
 // The integrator that renders the same samples in scenes without specular surfaces, if it is another one.
 std::string_view equal_without_specular_surfaces(std::string_view integrator) {
   return integrator == "path-manifold" ? "path" : "";
@@ -55,7 +38,7 @@ class Filter {
       : document_(document), scene_(scene), possible_(possible_paths(document, scene)) {
     // The reference integrator has the same limit on the path depth.
     const render::MethodSettings reference =
-        method_with(with_reference_integrator(document, scene).method.integrator, document);
+        render::with_integrator(document, with_reference_integrator(document, scene).method.integrator).method;
     needed_ = common(possible_, declared_paths(reference, &scene).paths);
     if (has_point_lights(*document.scene))
       needed_of_points_ = common(possible_, declared_paths(reference, &scene).point_paths);
@@ -104,7 +87,7 @@ std::vector<AllowedMethod> allowed_methods(const render::Document& document, con
   const Filter filter(document, scene);
   std::vector<AllowedMethod> list;
   for (const auto& info : integrator::integrator_infos())
-    list.push_back(filter.examined(method_with(info.name, document)));
+    list.push_back(filter.examined(render::with_integrator(document, info.name).method));
   return list;
 }
 

@@ -45,6 +45,12 @@ void measure_mean(ComparedMethod& m) {
   m.standard_error = std::sqrt(variance) / pixels;
 }
 
+// Whether the samples of a method are independent random numbers, whatever the sampler of the document.
+bool has_independent_samples(const render::MethodSettings& method) {
+  const auto group = integrator::find_integrator(method.integrator)->group;
+  return group == integrator::Group::markov_chain || find_sampler(method.sampler)->independent;
+}
+
 double pixels_of(const render::Document& d) { return static_cast<double>(d.width) * d.height; }
 
 class MethodRace {
@@ -59,6 +65,8 @@ class MethodRace {
 
   Comparison run(std::vector<ComparedMethod> methods) {
     racing_ = std::move(methods);
+    for (ComparedMethod& m : racing_)
+      if (m.samples == 0) m.convergence = render::TimeEstimator(has_independent_samples(m.method));
     result_.interrupted = !run_rounds();
     rank();
     end_from(0);
@@ -155,6 +163,7 @@ class MethodRace {
     m.processor_seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     m.samples = status.samples;
     m.error = measured_error(m.film, plan_.measure, d.display.transform());
+    m.convergence.add(m.samples, m.cost, m.error);
     measure_mean(m);
     if (plan_.measure == render::MinimisedError::flip) {
       const film::MeasuredError relative = film::measured_error(m.film, film::ErrorMeasure::relative, {});
@@ -214,9 +223,10 @@ class MethodRace {
     return squared_error(m.film, best->film, plan_.measure, document_.display.transform()).value;
   }
 
-  // Predicts the errors at the horizon. Noise falls as 1/n. The bias of consistent methods falls as n^-2/3, that of
-  // progressive photon mapping [Hachisuka and Jensen 2009]; that of biased ones stays. Rare bright samples make an
-  // estimated error too small; the geometric mean of the estimate and the upper end of its interval is used.
+  // Predicts the errors at the horizon. Noise falls at the rate that the rounds have shown, which for points of a sequence
+  // may be faster than 1/n. The bias of consistent methods falls as n^-2/3, that of progressive photon mapping [Hachisuka
+  // and Jensen 2009]; that of biased ones stays. Rare bright samples make an estimated error too small; the geometric mean
+  // of the estimate and the upper end of its interval is used.
   void predict() {
     for (ComparedMethod& m : racing_) {
       m.predicted_error = INFINITY;
@@ -226,7 +236,8 @@ class MethodRace {
       m.bias = squared_bias(m);
       const double growth = size_ratio_ * plan_.horizon * result_.budget / comparable_cost(m);
       const double bias_left = bias_of_integrator(m.method) == Bias::biased ? 1 : std::pow(growth, -2.0 / 3);
-      m.predicted_error = std::sqrt(m.noise / growth + m.bias * bias_left + m.missing);
+      m.predicted_error =
+          std::sqrt(m.noise * std::pow(growth, -2 * m.convergence.exponent().value) + m.bias * bias_left + m.missing);
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "bench/reference_key.h"
 #include "film/film_image.h"
+#include "render/with_integrator.h"
 
 namespace etendue::bench {
 namespace {
@@ -69,8 +70,7 @@ fs::path cache_file(const fs::path& cache, uint64_t key) {
 }
 
 render::Document reference_document(const render::Document& base, const std::string& integrator) {
-  render::Document d = base;
-  d.method.integrator = integrator;
+  render::Document d = render::with_integrator(base, integrator);
   d.method.sampler = "sobol";
   d.method.adaptive = render::Adaptive::off;
   d.limits = {};

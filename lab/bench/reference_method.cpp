@@ -7,23 +7,32 @@
 #include "bench/reference.h"
 #include "integrator/integrator.h"
 #include "light/light.h"
+#include "render/incompatibility.h"
+#include "render/with_integrator.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {
 
 constexpr const char* kDefault = "path";
+// It finds light that path tracing finds seldom, from small lights and light sources that are hidden from most of the scene.
+constexpr const char* kAlternative = "bdpt";
 
 bool has_delta_lights(const scene::Scene& scene) {
   return std::ranges::any_of(scene.lights, [](const Light& light) { return !light.is_area_light(); });
 }
 
-bool is_candidate(const MethodSpec& method, const render::Document& base) {
-  const auto* info = integrator::find_integrator(method.document.method.integrator);
+// Whether an integrator has independent samples of the paths that path tracing samples.
+bool is_candidate(const std::string& integrator, const scene::Scene& scene) {
+  const auto* info = integrator::find_integrator(integrator);
   const auto* usual = integrator::find_integrator(kDefault);
   if (!info || info->bias != integrator::Bias::unbiased || info->group == integrator::Group::markov_chain) return false;
-  if (info->paths != usual->paths || (has_delta_lights(*base.scene) && info->point_paths != usual->point_paths))
-    return false;
-  return method.document.method.adaptive == render::Adaptive::off &&
+  return info->paths == usual->paths && (!has_delta_lights(scene) || info->point_paths == usual->point_paths);
+}
+
+bool is_candidate(const MethodSpec& method, const render::Document& base) {
+  return !method.is_external() && is_candidate(method.document.method.integrator, *base.scene) &&
+         method.document.method.adaptive == render::Adaptive::off &&
          method.document.method.settings == base.method.settings;
 }
 
@@ -61,14 +70,23 @@ const ReferencePilot* most_efficient(std::span<const ReferencePilot> pilots) {
   return best;
 }
 
-std::string reference_integrator(render::Session& session, const render::Document& base,
-                                 std::span<const MethodSpec> methods, double seconds, const Progress& progress) {
+std::vector<std::string> reference_candidates(const render::Document& base, std::span<const MethodSpec> methods) {
   std::vector<std::string> names{kDefault};
+  if (is_candidate(kAlternative, *base.scene) &&
+      render::incompatibility(render::with_integrator(base, kAlternative),
+                              *scene::compile(base.scene, base.camera, nullptr))
+          .empty())
+    names.push_back(kAlternative);
   for (const MethodSpec& method : methods) {
     const std::string& name = method.document.method.integrator;
-    if (!method.is_external() && is_candidate(method, base) && std::ranges::find(names, name) == names.end())
-      names.push_back(name);
+    if (is_candidate(method, base) && std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
+  return names;
+}
+
+std::string reference_integrator(render::Session& session, const render::Document& base,
+                                 std::span<const MethodSpec> methods, double seconds, const Progress& progress) {
+  const std::vector<std::string> names = reference_candidates(base, methods);
   if (names.size() == 1) return kDefault;
   std::vector<ReferencePilot> pilots;
   for (const std::string& name : names) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <vector>
 
 #include "bench/method_spec.h"
 #include "bench/progress.h"
@@ -19,10 +20,13 @@ struct ReferencePilot {
 // not chosen. Null if no pilot has a finite cost.
 const ReferencePilot* most_efficient(std::span<const ReferencePilot> pilots);
 
-// The integrator with the smallest squared error times time, after pilots of this duration in seconds. Candidates are
-// path tracing and the unbiased integrators of the methods that sample the same paths, have independent samples, and are
-// used with the settings of the base document. A pilot that is significantly darker than another one is not chosen. Path
-// tracing if there is no other candidate, or if it was interrupted.
+// Integrators that may render the reference: path tracing, bidirectional path tracing if it samples the same paths of this
+// scene, and the unbiased integrators of the methods that sample the same paths, have independent samples, and are used
+// with the settings of the base document.
+std::vector<std::string> reference_candidates(const render::Document& base, std::span<const MethodSpec> methods);
+
+// The candidate with the smallest squared error times time, after pilots of this duration in seconds. A pilot that is
+// significantly darker than another one is not chosen. Path tracing if it was interrupted.
 std::string reference_integrator(render::Session& session, const render::Document& base,
                                  std::span<const MethodSpec> methods, double seconds, const Progress& progress);
 

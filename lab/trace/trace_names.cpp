@@ -9,14 +9,6 @@ std::string named(const std::string& name, const char* kind, size_t index) {
   return name.empty() ? kind + (" " + std::to_string(index)) : name;
 }
 
-// The instance to which a primitive of an area light belongs.
-const scene::InstanceData* instance_of_light(const scene::CompiledScene& scene, uint32_t light) {
-  const scene::InstanceData* found = nullptr;
-  for (const scene::InstanceData& instance : scene.instances())
-    if (instance.first_light <= light && (!found || instance.first_light > found->first_light)) found = &instance;
-  return found;
-}
-
 }  // namespace
 
 std::string node_name(const scene::CompiledScene& scene, uint32_t node) {
@@ -45,8 +37,7 @@ std::string light_name(const scene::CompiledScene& scene, const LightSample& sam
     const size_t index = sample.light - scene.lights().triangles().size();
     return named(scene.lights().placed()[index].name, "light", index);
   }
-  const scene::InstanceData* instance = instance_of_light(scene, sample.light);
-  return instance ? node_name(scene, instance->node) : "light " + std::to_string(sample.light);
+  return node_name(scene, scene.instances()[scene.lights().triangles()[sample.light].instance].node);
 }
 
 std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex) {

@@ -12,8 +12,7 @@ namespace {
 // A folder that is the temporary folder of this process and of those it starts, until it ends.
 class TemporaryFolder {
  public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() / ("etendue-tests-" + std::to_string(::getpid()))) {
+  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("etendue-tests-" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path_);
     for (const char* name : {"TMPDIR", "TEST_TMPDIR"}) ::setenv(name, path_.c_str(), 1);
   }

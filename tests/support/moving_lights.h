@@ -25,7 +25,7 @@ struct MovingLights {
   }
 
   LightTable table(const Bounds& bounds) const {
-    return {{triangle}, {point}, Environment{}, bounds, {{mesh, motion}}};
+    return {{triangle}, {point}, std::make_shared<const EnvironmentMap>(), bounds, {{mesh, motion}}};
   }
 };
 

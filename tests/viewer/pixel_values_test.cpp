@@ -111,13 +111,10 @@ TEST_F(PixelValues, WindowIsDraggedAndKeepsItsPlace) {
 // An exposure that changes within half a second of a computation is taken up, although nothing else asks for a frame:
 // the script would wait forever.
 TEST_F(PixelValues, HistogramIsNeverOutdatedForLong) {
-  const json steps = joined(small(4), json::array({click("panel.histogram"),
-                                                   wait_for("histogram"),
-                                                   set("camera.exposure", 4),
-                                                   wait_for("histogram"),
-                                                   set("camera.exposure", 10),
-                                                   wait_for("histogram"),
-                                                   file_step("state", path("after.json"))}));
+  const json steps = joined(
+      small(4),
+      json::array({click("panel.histogram"), wait_for("histogram"), set("camera.exposure", 4), wait_for("histogram"),
+                   set("camera.exposure", 10), wait_for("histogram"), file_step("state", path("after.json"))}));
   ASSERT_EQ(run(steps, "cornell"), 0);
   EXPECT_GT(state("after.json")["histogram"]["above_white"].get<double>(), 0.8);
 }

@@ -31,11 +31,11 @@ void LightTable::sample_placed_emission(const EmissionRandom& random, float prob
 }
 
 void LightTable::sample_environment_emission(const EmissionRandom& random, float probability, Emission& e) const {
-  const auto sample = environment_.sample(random.direction);
+  const auto sample = environment_->sample(random.direction);
   e.kind = LightKind::environment;
   e.direction = -sample.direction;
   e.density = {probability * sample.pdf_solid_angle, scene_.entry_pdf(), false, true};
-  e.radiance = environment_.radiance(sample.direction);
+  e.radiance = environment_->radiance(sample.direction);
   e.position = scene_.entry_point(e.direction, random.point);
   if (e.density.first > 0) e.weight = 1 / (e.density.first * e.density.second);
 }

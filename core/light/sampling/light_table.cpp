@@ -18,14 +18,22 @@ LightBounds bounds_of(const PlacedLight& light) {
 
 }  // namespace
 
-LightTable::LightTable() : placed_(std::make_shared<const std::vector<PlacedLight>>()) {}
+LightTable::LightTable()
+    : placed_(std::make_shared<const std::vector<PlacedLight>>()),
+      environment_(std::make_shared<const EnvironmentMap>()) {}
 
 LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
-                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
-                       std::vector<AnalyticAreaLight> shapes, std::vector<EnvironmentPortal> portals)
+                       const Environment& environment, const Bounds& scene_bounds)
+    : LightTable(std::move(triangles), std::move(placed), std::make_shared<const EnvironmentMap>(environment),
+                 scene_bounds) {}
+
+LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
+                       std::shared_ptr<const EnvironmentMap> environment, const Bounds& scene_bounds,
+                       std::vector<MovingEmitter> movers, std::vector<AnalyticAreaLight> shapes,
+                       std::vector<EnvironmentPortal> portals)
     : primitives_(std::move(triangles), std::move(movers), std::move(shapes)),
       placed_(std::make_shared<const std::vector<PlacedLight>>(std::move(placed))),
-      environment_(environment),
+      environment_(std::move(environment)),
       portals_(std::move(portals)),
       scene_{scene_bounds.empty() ? Vec3(0) : scene_bounds.center(), std::max(scene_bounds.radius(), 1e-6f)} {
   std::vector<SelectableLight> lights;
@@ -48,16 +56,16 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
     has_point_lights_ = has_point_lights_ || !light.is_infinite;
     if (light.power > 0) light.bounds = bounds_of(p);
   }
-  if (!environment_.black()) {
+  if (!environment_->black()) {
     SelectableLight& light = lights.emplace_back();
-    light.power = 4 * sqr(kPi * scene_.radius) * luminance(environment_.mean_radiance());
+    light.power = 4 * sqr(kPi * scene_.radius) * luminance(environment_->mean_radiance());
     light.source = ++source;
     light.is_infinite = true;
   }
   for (const SelectableLight& light : lights) power_ += light.power;
   selector_ = LightSelector(lights);
-  if (environment_.black()) return;
-  lights.back().power *= environment_.compensated_share();
+  if (environment_->black()) return;
+  lights.back().power *= environment_->compensated_share();
   compensated_selector_ = selector_.with_infinite_powers(lights);
 }
 
@@ -175,12 +183,12 @@ bool LightTable::sample_environment(const Vec3& from, Vec2 u, LightSampling samp
   const float through = by_position && !portals_.empty() ? portals_.probability(from) : 0;
   if (u.x < through) {
     sample.wi = portals_.sample(from, {u.x / through, u.y});
-    const auto value = environment_.value(sample.wi);
+    const auto value = environment_->value(sample.wi);
     sample.pdf = (1 - through) * value.pdf_solid_angle;
     sample.radiance = value.radiance;
   } else {
     const float rest = std::min((u.x - through) / (1 - through), kOneMinusEpsilon);
-    const auto direction = environment_.sample({rest, u.y}, is_compensated(sampling));
+    const auto direction = environment_->sample({rest, u.y}, is_compensated(sampling));
     sample.wi = direction.direction;
     sample.pdf = (1 - through) * direction.pdf_solid_angle;
     sample.radiance = direction.radiance;
@@ -201,8 +209,8 @@ float LightTable::pdf_triangle(uint32_t light, const LightReceiver& from, const 
 
 EnvironmentMap::Value LightTable::environment_value(const Vec3& from, const Vec3& direction,
                                                     LightSampling sampling) const {
-  EnvironmentMap::Value value = environment_.value(direction, is_compensated(sampling));
-  if (empty(sampling) || environment_.black()) return {value.radiance, 0};
+  EnvironmentMap::Value value = environment_->value(direction, is_compensated(sampling));
+  if (empty(sampling) || environment_->black()) return {value.radiance, 0};
   float& pdf = value.pdf_solid_angle;
   if (!samples_as_emission(sampling.strategy) && !portals_.empty()) {
     const float through = portals_.probability(from);
@@ -213,7 +221,7 @@ EnvironmentMap::Value LightTable::environment_value(const Vec3& from, const Vec3
 }
 
 float LightTable::pdf_environment(const Vec3& from, const Vec3& direction, LightSampling sampling) const {
-  if (empty(sampling) || environment_.black()) return 0;
+  if (empty(sampling) || environment_->black()) return 0;
   return environment_value(from, direction, sampling).pdf_solid_angle;
 }
 

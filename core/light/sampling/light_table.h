@@ -26,9 +26,12 @@ class LightTable {
  public:
   LightTable();
   // `movers` has an entry per instance if any triangle moves. AreaLightTriangle::shape is an index into `shapes`.
+  LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
+             std::shared_ptr<const EnvironmentMap> environment, const Bounds& scene_bounds,
+             std::vector<MovingEmitter> movers = {}, std::vector<AnalyticAreaLight> shapes = {},
+             std::vector<EnvironmentPortal> portals = {});
   LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
-             const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {},
-             std::vector<AnalyticAreaLight> shapes = {}, std::vector<EnvironmentPortal> portals = {});
+             const Bounds& scene_bounds);
 
   // Without lights, or without any power.
   bool empty() const { return selector_.empty(); }
@@ -42,7 +45,9 @@ class LightTable {
   size_t placed_count() const;
   // The luminance of the power of all lights into the scene, W.
   float power() const { return power_; }
-  const EnvironmentMap& environment() const { return environment_; }
+  const EnvironmentMap& environment() const { return *environment_; }
+  // For another table of the same environment: its preparation takes long for large maps.
+  const std::shared_ptr<const EnvironmentMap>& shared_environment() const { return environment_; }
   const EnvironmentPortals& portals() const { return portals_; }
 
   // The normal of an area light at a point, given by barycentric weights or the surface coordinates of a shape.
@@ -141,7 +146,7 @@ class LightTable {
   const PlacedLight* placed_at(uint32_t light) const;
   // Portals guide the sampling of the environment already.
   bool is_compensated(LightSampling sampling) const {
-    return sampling.is_compensated && !environment_.black() && portals_.empty();
+    return sampling.is_compensated && !environment_->black() && portals_.empty();
   }
   const LightSelector& selector(LightSampling sampling) const {
     return is_compensated(sampling) ? compensated_selector_ : selector_;
@@ -149,7 +154,7 @@ class LightTable {
 
   AreaLightPrimitives primitives_;
   std::shared_ptr<const std::vector<PlacedLight>> placed_;
-  EnvironmentMap environment_;
+  std::shared_ptr<const EnvironmentMap> environment_;
   EnvironmentPortals portals_;
   SceneSphere scene_;
   LightSelector selector_;

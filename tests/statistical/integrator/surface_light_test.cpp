@@ -1,6 +1,7 @@
 // Irradiance of a floor under every type of light, against closed forms.                           [Lang, sec. 4.3]
 #include <gtest/gtest.h>
 
+#include "scene/compiled_scene.h"
 #include "support/integrator_scenes.h"
 
 namespace etendue::surface_light_test {
@@ -129,6 +130,61 @@ TEST(SurfaceLight, RadianceIsAPowerOfTheCosine) {
         test::with(test::with_integrator(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
     EXPECT_NEAR(irradiance(points, 4).value, expected, 1e-3 * expected);
   }
+}
+
+// A mesh above the floor: a rectangle whose texture is white, beside one whose texture is black. The point of the floor is
+// below the corner of the white one.
+Document floor_below_texture(float height) {
+  auto mesh = std::make_shared<Mesh>();
+  for (const float side : {-1.0f, 1.0f}) {
+    const auto first = static_cast<uint32_t>(mesh->positions.size());
+    for (const Vec2 corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1.5f), Vec2(0, 1.5f)}) {
+      mesh->positions.emplace_back(side * corner.x, height, corner.y);
+      mesh->uvs[0].emplace_back(side < 0 ? 0.25f : 0.75f, 0.5f);
+    }
+    mesh->triangles.push_back({first, first + 1, first + 2});
+    mesh->triangles.push_back({first, first + 2, first + 3});
+  }
+  auto texels = std::make_shared<image::Image>();
+  texels->width = 2;
+  texels->height = 1;
+  texels->channels = 3;
+  texels->bytes = {0, 0, 0, 255, 255, 255};
+  scene::Scene scene;
+  scene.textures.emplace_back().image = texels;
+  Material emitter = test::diffuse(Rgb(0), Rgb(1));
+  emitter.emission_texture.texture = 0;
+  emitter.double_sided = true;
+  test::add(scene, test::quad(20), test::diffuse(Rgb(kAlbedo)));
+  test::add(scene, mesh, emitter);
+  return test::document(std::move(scene), look_at({3, 0.1f, -1}, Vec3(0), {0, 1, 0}, 1e-4f), 8, 8);
+}
+
+// Triangles whose texture is black are no lights, and the others keep their numbers.
+TEST(SurfaceLight, TexturedMeshThatIsPartlyBlack) {
+  constexpr float kHeight = 0.7f;
+  const Document d = floor_below_texture(kHeight);
+  const auto compiled = scene::compile(d.scene, d.camera, nullptr);
+  ASSERT_EQ(compiled->lights().triangles().size(), 2U);
+  const double x = 1 / double{kHeight}, y = 1.5 / double{kHeight}, a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
+  const double expected = 0.5 * (x / a * std::atan(y / a) + y / b * std::atan(x / b));
+  expect_irradiance(d, expected, "path");
+  const Mean pure = irradiance(test::with(test::with_integrator(d, "path-pure"), "max-depth", "2"), 16384);
+  EXPECT_NEAR(pure.value, expected, 4 * pure.standard_error);
+  EXPECT_LT(pure.standard_error, 0.02 * expected);
+}
+
+// In a wider view, where light subpaths reach the camera.
+TEST(SurfaceLight, TexturedMeshThatIsPartlyBlackFromItsSide) {
+  Document d = floor_below_texture(0.7f);
+  d.width = d.height = test::kSize;
+  d.camera = look_at({3, 1, -2}, Vec3(0, 0.3f, 0.5f), {0, 1, 0}, 1);
+  const test::Estimate path = test::replicated(test::with_integrator(d, "path"), 64);
+  const test::Estimate light = test::replicated(test::with_integrator(d, "light"), 256, 2000);
+  const test::Estimate both = test::replicated(test::with_integrator(d, "bdpt"), 64, 3000);
+  test::expect_agreement(path, light, "path and light", 3);
+  test::expect_agreement(path, both, "path and bdpt", 3);
+  test::expect_agreement(light, both, "light and bdpt", 3);
 }
 
 // The camera sees the radiance of the light over the solid angle that the light subtends.

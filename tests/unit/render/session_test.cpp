@@ -235,11 +235,13 @@ TEST(Compile, MovedTexturedEmitterHasTheLightsOfAFreshScene) {
   auto texels = std::make_shared<image::Image>();
   texels->width = texels->height = 4;
   texels->channels = 3;
-  for (int i = 0; i < 4 * 4 * 3; ++i) texels->bytes.push_back(static_cast<uint8_t>(5 * i));
+  for (int i = 0; i < 4 * 4 * 3; ++i) texels->bytes.push_back(static_cast<uint8_t>(i < 24 ? 0 : 5 * i));
   scene->textures.emplace_back().image = texels;
   Material material = test::diffuse(Rgb(0.5f), Rgb(3));
   material.emission_texture.texture = static_cast<int>(scene->textures.size()) - 1;
-  const auto node = static_cast<size_t>(test::add(*scene, test::quad(0.3f), material));
+  auto mesh = std::make_shared<Mesh>(*test::sphere(0.3f, 24, false));
+  for (const Vec3& p : mesh->positions) mesh->uvs[0].emplace_back(0.5f + p.x, 0.5f + p.y);
+  const auto node = static_cast<size_t>(test::add(*scene, mesh, material));
   const auto first = scene::compile(scene, d.camera, nullptr);
   auto moved = std::make_shared<scene::Scene>(*scene);
   (*moved->nodes[node].transform.matrix)[3].x = 0.25f;
@@ -247,6 +249,10 @@ TEST(Compile, MovedTexturedEmitterHasTheLightsOfAFreshScene) {
   const auto &a = edited->lights().triangles(), &b = fresh->lights().triangles();
   ASSERT_EQ(a.size(), b.size());
   EXPECT_TRUE(a.back().textured);
+  const scene::InstanceData &x = edited->instances().back(), &y = fresh->instances().back();
+  ASSERT_TRUE(x.emitting && y.emitting) << "the texture is black on some triangles";
+  EXPECT_GT(x.emitting->count, 0U);
+  EXPECT_EQ(x.emitting->numbers, y.emitting->numbers);
   for (size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].radiance, b[i].radiance) << i;
     EXPECT_EQ(a[i].p0, b[i].p0) << i;
