@@ -147,7 +147,6 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   preview_document.method.adaptive = Adaptive::off;
   preview_document.part = {};
   Renderer renderer(preview_document, scene_, width, height, renderer_.get());
-  film::Film film(width, height);
   Renderer::Counters counters;
   const auto substitute = [&](uint32_t samples) {
     auto frame = render_substitute(samples);
@@ -162,12 +161,13 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   const std::function<bool()> still_needed = [&] {
     return keep_going_() && !(has_timeout && seconds_since(start) > kPreviewTimeout);
   };
-  renderer.begin(film);
+  film::Film* const film = preview_films_.cleared(workers_, scale, width, height, still_needed);
+  if (film) renderer.begin(*film);
   bool complete = false;
-  while (!complete && still_needed()) {
+  while (film && !complete && still_needed()) {
     const auto slice_start = Clock::now();
     const auto keep_going = [&] { return still_needed() && seconds_since(slice_start) < kStatusInterval; };
-    complete = renderer.advance(workers_, {film}, keep_going, counters, still_needed);
+    complete = renderer.advance(workers_, {*film}, keep_going, counters, still_needed);
     on_progress(renderer);
     if (complete || !needs_substitute || !renderer.progress().phase || seconds_since(start) < kSubstituteDelay)
       continue;
@@ -180,12 +180,19 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
     return nullptr;
   }
   shows_substitute_ = false;
-  preview_ = frames_.preview(film, scale);
+  preview_ = frames_.preview(*film, scale);
   preview_resolution_.frame_completed();
-  // The first frame of an edit is shown in any case.
+  return enlarge_preview();
+}
+
+// The first frame of an edit is shown in any case.
+std::shared_ptr<Frame> ProgressiveRender::enlarge_preview() {
+  const auto start = Clock::now();
   const auto keep_enlarging = [&] { return awaits_first_frame_ || keep_going_(); };
   auto frame = frames_.enlarged(*preview_, document_.width, document_.height, keep_enlarging);
-  if (frame) frame->samples = samples_;
+  if (!frame) return nullptr;
+  enlarging_seconds_per_pixel_ = seconds_since(start) / static_cast<double>(pixel_count());
+  frame->samples = samples_;
   return frame;
 }
 

@@ -10,6 +10,7 @@
 #include "render/clock.h"
 #include "render/error_monitor.h"
 #include "render/focus.h"
+#include "render/preview_films.h"
 #include "render/preview_resolution.h"
 #include "render/renderer.h"
 #include "render/session.h"
@@ -29,6 +30,10 @@ class ProgressiveRender {
              double preview_seconds, bool shares);
   bool has_begun() const { return renderer_ != nullptr; }
   const transport::Model& model() const { return renderer_->model(); }
+  // The time that enlarging a preview of this document is expected to take, in seconds.
+  double enlarging_seconds(const Document& document) const {
+    return enlarging_seconds_per_pixel_ * document.width * document.height;
+  }
   // Replaces the document by one whose samples are the same.
   void set_document(const Document& document);
 
@@ -78,6 +83,7 @@ class ProgressiveRender {
   bool add_shared_samples();
   bool limit_reached(double seconds);
   std::shared_ptr<Frame> render_substitute(uint32_t samples);
+  std::shared_ptr<Frame> enlarge_preview();
   bool uses_focus() const;
   void update_focus();
   uint32_t samples_to_limit() const { return focus_ ? renderer_->samples() : samples_; }
@@ -110,6 +116,8 @@ class ProgressiveRender {
   std::optional<FocusMonitor> focus_;  // nothing while all pixels are sampled alike
 
   PreviewResolution preview_resolution_;
+  PreviewFilms preview_films_;
+  double enlarging_seconds_per_pixel_ = 0;
   bool awaits_first_frame_ = false;
   bool shows_substitute_ = false;           // the last frame is one, of this or an earlier document
   std::shared_ptr<const Preview> preview_;  // shown where the film has no samples yet

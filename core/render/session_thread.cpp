@@ -14,10 +14,10 @@
 namespace etendue::render {
 namespace {
 
-// The planned duration of the first frame of an edit, in seconds.
-constexpr double kPreviewSeconds = 0.015;
-// The planned duration of the first frame of an edit that follows an edit without any frame, and the time during which
-// such a frame cannot be interrupted.
+// The planned time from an edit to its first frame, in seconds, and the least part of it for the rendering of the preview.
+constexpr double kFirstFrameSeconds = 0.014, kLeastPreviewSeconds = 0.004;
+// The planned duration of the rendering of the first frame of an edit that follows an edit without any frame, and the time
+// during which such a frame cannot be interrupted.
 constexpr double kProtectedPreviewSeconds = 0.006, kProtectedSeconds = 0.012;
 
 }  // namespace
@@ -200,8 +200,11 @@ class Session::Impl {
     const bool shares = begin_sharing(edit);
     const auto compiled =
         scene::compile(edit.document.scene, edit.document.camera, compiled_scene_, edit.document.height);
-    render_.begin(std::move(edit.document), compiled, std::move(edit.start),
-                  protects_first_frame ? kProtectedPreviewSeconds : kPreviewSeconds, shares);
+    const double time_left =
+        kFirstFrameSeconds - seconds_since(edit.submitted) - render_.enlarging_seconds(edit.document);
+    const double preview_seconds =
+        protects_first_frame ? kProtectedPreviewSeconds : std::max(kLeastPreviewSeconds, time_left);
+    render_.begin(std::move(edit.document), compiled, std::move(edit.start), preview_seconds, shares);
     protected_until_ = protects_first_frame ? Clock::now() + duration_of(kProtectedSeconds) : Clock::time_point();
     const std::lock_guard lock(mutex_);
     compiled_scene_ = compiled;

@@ -25,10 +25,10 @@ struct ComparedMethod {
   std::vector<std::byte> integrator_state = {};  // as in render::ResumePoint
   uint32_t samples = 0;                          // per pixel
   double cost = 0;
-  double processor_seconds = 0;            // of all threads
-  film::MeasuredError error = {};          // as measured_error of minimised_error.h
+  double processor_seconds = 0;         // of all threads
+  film::MeasuredError error = {};       // as measured_error of minimised_error.h
   render::TimeEstimator convergence{};  // its rate, from the errors of all rounds
-  double mean = 0, standard_error = 0;     // luminance of the image
+  double mean = 0, standard_error = 0;  // luminance of the image
   double relative_error = INFINITY;  // if FLIP is minimised, for the choice of the pilot that others are compared with
   // The squared error that more samples reduce, and the square of the bias, of the pilot image.
   double noise = 0, bias = 0;

@@ -86,38 +86,45 @@ LightBounds LightTree::Builder::bounds_of(uint32_t light) const {
 }
 
 LightTree::Builder::Set LightTree::Builder::set_of(uint32_t first, uint32_t end) const {
-  Set set{first, end - first, {}, 0};
-  for (uint32_t i = first; i < end; ++i) set.bounds.extend(bounds_of(order_[i]));
-  set.cost = set.count > 1 ? cost_of(set.bounds) : -1;
-  return set;
+  LightBounds bounds;
+  for (uint32_t i = first; i < end; ++i) bounds.extend(bounds_of(order_[i]));
+  return set_with(first, end, bounds);
+}
+
+LightTree::Builder::Set LightTree::Builder::set_with(uint32_t first, uint32_t end, const LightBounds& bounds) {
+  return {first, end - first, bounds, end - first > 1 ? cost_of(bounds) : -1};
 }
 
 std::vector<LightTree::Builder::Set> LightTree::Builder::children_of(const Set& whole) {
-  std::vector<Set> sets{whole};
+  std::vector<Set> sets;
+  sets.reserve(kWidth);
+  if (whole.count <= kWidth) {
+    for (uint32_t i = whole.first; i < whole.first + whole.count; ++i) sets.push_back(set_of(i, i + 1));
+    return sets;
+  }
+  sets.push_back(whole);
   while (sets.size() < kWidth) {
     const auto worst =
         std::max_element(sets.begin(), sets.end(), [](const Set& a, const Set& b) { return a.cost < b.cost; });
     if (worst->count == 1) break;
-    const Set set = *worst;
-    const uint32_t middle = partition(set);
-    const uint32_t end = set.first + set.count;
-    *worst = set_of(set.first, middle);
-    sets.push_back(set_of(middle, end));
+    auto [left, right] = split(*worst);
+    *worst = std::move(left);
+    sets.push_back(std::move(right));
   }
   return sets;
 }
 
-// Reorders the lights of a set and returns where its second part begins: at the plane of the least cost, or in the
-// middle if no plane separates them.
-uint32_t LightTree::Builder::partition(const Set& set) {
+// Divides a set of at least two lights at the plane of the least cost, or in the middle if no plane separates them. Reorders
+// its lights.
+std::pair<LightTree::Builder::Set, LightTree::Builder::Set> LightTree::Builder::split(const Set& set) {
   const auto begin = order_.begin() + set.first;
   const auto end = begin + set.count;
   Bounds centres;
   for (auto i = begin; i != end; ++i) centres.extend(lights_[*i].box.center());
   const Vec3 extent = centres.max - centres.min;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const uint32_t half = set.first + set.count / 2;
-  if (!(extent[axis] > 0)) return half;
+  const uint32_t half = set.first + set.count / 2, last = set.first + set.count;
+  if (!(extent[axis] > 0)) return {set_of(set.first, half), set_of(half, last)};
 
   std::array<LightBounds, kBins> bins;
   const auto bin_of = [&](uint32_t light) {
@@ -127,7 +134,16 @@ uint32_t LightTree::Builder::partition(const Set& set) {
   for (auto i = begin; i != end; ++i) bins[bin_of(*i)].extend(bounds_of(*i));
   const size_t best = best_split(bins);
   const auto middle = std::partition(begin, end, [&](uint32_t light) { return bin_of(light) <= best; });
-  return middle == begin || middle == end ? half : static_cast<uint32_t>(middle - order_.begin());
+  if (middle == begin || middle == end) return {set_of(set.first, half), set_of(half, last)};
+  // The bins hold the bounds of all lights already.
+  const auto part = [&](uint32_t from, uint32_t to, size_t first_bin, size_t end_bin) {
+    LightBounds bounds;
+    for (size_t i = first_bin; i < end_bin; ++i)
+      if (!bins[i].box.empty()) bounds.extend(bins[i]);
+    return set_with(from, to, bounds);
+  };
+  const auto number = static_cast<uint32_t>(middle - order_.begin());
+  return {part(set.first, number, 0, best + 1), part(number, last, best + 1, kBins)};
 }
 
 }  // namespace etendue

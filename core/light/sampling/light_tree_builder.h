@@ -1,5 +1,7 @@
 // Building the tree over lights, from the root down.                                  [Conty Estevez and Kulla 2018]
 #pragma once
+#include <utility>
+
 #include "light/sampling/light_tree.h"
 
 namespace etendue {
@@ -22,8 +24,9 @@ class LightTree::Builder {
 
   LightBounds bounds_of(uint32_t light) const;
   Set set_of(uint32_t first, uint32_t end) const;
+  static Set set_with(uint32_t first, uint32_t end, const LightBounds& bounds);
   std::vector<Set> children_of(const Set& whole);
-  uint32_t partition(const Set& set);
+  std::pair<Set, Set> split(const Set& set);
 
   LightTree& tree_;
   std::span<const LightBounds> lights_;
