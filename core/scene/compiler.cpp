@@ -467,8 +467,8 @@ class Compiler {
     });
   }
 
-  // Appends the lights of an instance. Triangles on which an emission texture is black are left out; the result tells
-  // which, and is null if there are none.
+  // Appends the lights of an instance. Triangles on which an emission texture is black at all points of its mean are left
+  // out; the result states which, and is null if there are none.
   static std::shared_ptr<const EmittingTriangles> add_emissive(const InstanceData& instance,
                                                                const SurfaceMaterial& material, uint32_t i,
                                                                std::vector<AreaLightTriangle>& triangles) {
