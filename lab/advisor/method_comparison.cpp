@@ -24,6 +24,8 @@ double hopeless_factor(uint32_t samples, render::MinimisedError measure) {
   if (measure == render::MinimisedError::flip && samples < 32) return INFINITY;
   return samples < 8 ? 16 : samples < 32 ? 4 : samples < 64 ? 2 : 1.3;
 }
+// The rate of convergence of a pilot is continued for this factor in the number of samples; beyond, noise falls as 1/n.
+constexpr double kLongestRate = 64;
 constexpr uint32_t kFirstSamples = 2;  // of the first round: one per half-buffer
 // Standard errors by which one image must be darker than another to count as incomplete.
 constexpr double kDarker = 4;
@@ -43,6 +45,14 @@ void measure_mean(ComparedMethod& m) {
   const auto pixels = static_cast<double>(std::max<size_t>(1, m.film.pixels().size()));
   m.mean = sum / pixels;
   m.standard_error = std::sqrt(variance) / pixels;
+}
+
+// The factor on the squared error of noise after `growth` times the samples. A rate above that of 1/n counts by the lower end of
+// its interval, so that few samples do not promise too much.
+double noise_left(const render::TimeEstimator& convergence, double growth) {
+  const auto exponent = convergence.exponent();
+  const double faster = std::max(0.0, exponent.value - exponent.error - 0.5);
+  return std::pow(std::clamp(growth, 1.0, kLongestRate), -2 * faster) / growth;
 }
 
 // Whether the samples of a method are independent random numbers, whatever the sampler of the document.
@@ -236,8 +246,7 @@ class MethodRace {
       m.bias = squared_bias(m);
       const double growth = size_ratio_ * plan_.horizon * result_.budget / comparable_cost(m);
       const double bias_left = bias_of_integrator(m.method) == Bias::biased ? 1 : std::pow(growth, -2.0 / 3);
-      m.predicted_error =
-          std::sqrt(m.noise * std::pow(growth, -2 * m.convergence.exponent().value) + m.bias * bias_left + m.missing);
+      m.predicted_error = std::sqrt(m.noise * noise_left(m.convergence, growth) + m.bias * bias_left + m.missing);
     }
   }
 
