@@ -1,8 +1,8 @@
 // Means over independent renderings, for comparisons of estimators with the same expectation: t-tests over blocks of
 // pixels with a family-wise false-alarm rate of 1 %.
 //
-// With a sanitizer there are two renderings instead of twelve, and nothing is compared: such a run examines what the
-// program does with its memory and threads, and would otherwise take hours.
+// With a sanitizer there are two renderings instead of twelve, variances are 0, and nothing is compared: such a run examines
+// what the program does with its memory and threads, and would otherwise take hours.
 #pragma once
 #include <functional>
 #include <string>
