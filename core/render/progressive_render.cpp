@@ -161,7 +161,7 @@ std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<voi
   const std::function<bool()> still_needed = [&] {
     return keep_going_() && !(has_timeout && seconds_since(start) > kPreviewTimeout);
   };
-  film::Film* const film = preview_films_.cleared(workers_, scale, width, height, still_needed);
+  film::Film* const film = preview_films_.empty_film(scale, width, height, workers_, still_needed);
   if (film) renderer.begin(*film);
   bool complete = false;
   while (film && !complete && still_needed()) {
@@ -312,7 +312,7 @@ void ProgressiveRender::write_initial_status(Status& status) const {
   status.incompatibility = incompatibility(document_, *scene_);
   status.notes = renderer_->notes();
   status.samples = samples_;
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_);
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory();
 }
 
 void ProgressiveRender::write_status(Status& status, bool finished) {
@@ -333,7 +333,7 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   write_focus(status);
   write_limit(status);
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) +
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory() +
                   film_.film().rounding_errors().memory() + renderer_->memory();
   write_phase(status, *renderer_);
   status.finished = finished;

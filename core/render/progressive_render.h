@@ -9,8 +9,8 @@
 
 #include "render/clock.h"
 #include "render/error_monitor.h"
+#include "render/film_clearing.h"
 #include "render/focus.h"
-#include "render/preview_films.h"
 #include "render/preview_resolution.h"
 #include "render/renderer.h"
 #include "render/session.h"

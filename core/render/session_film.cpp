@@ -6,6 +6,7 @@
 
 #include "film/film_sum.h"
 #include "integrator/integrator_info.h"
+#include "render/film_clearing.h"
 
 namespace etendue::render {
 namespace {
@@ -32,15 +33,7 @@ bool has_size_of(const Pixels& pixels, const Document& document) {
 
 bool SessionFilm::clear(const Document& document, const std::function<bool()>& keep_going) {
   added_rows_ = 0;
-  if (!has_size_of(film_, document)) {
-    film_ = film::Film();  // frees the memory of the old film first
-    film_ = film::Film(document.width, document.height);
-  } else {
-    const auto clear_rows = [&](int first, int end) { film_.clear_rows(first, end); };
-    if (!workers_.run_ranges(film_.height(), clear_rows, keep_going)) return false;
-  }
-  film_.set_invalid_samples({});
-  film_.tile_variance().reset();
+  if (!make_empty(film_, document.width, document.height, workers_, keep_going)) return false;
   clear_tails(document);
   return clear_cascades(document, keep_going);
 }

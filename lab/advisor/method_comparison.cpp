@@ -147,9 +147,9 @@ class MethodRace {
     d.method = m.method;
     d.limits = {samples, 0, 0};
     const std::clock_t start = std::clock();
-    const uint64_t version =
-        m.samples > 0 ? session_.submit(d, render::ResumePoint(std::move(m.film), std::move(m.integrator_state)))
-                      : session_.submit(d);
+    // A new pilot starts with an empty film: the session may hold samples of the same document.
+    if (m.samples == 0) m.film = film::Film(d.width, d.height);
+    const uint64_t version = session_.submit(d, render::ResumePoint(std::move(m.film), std::move(m.integrator_state)));
     bool is_interrupted = false;
     const auto keep_going = [&](const render::Status& status) {
       const double cost = result_.cost + plan_.cost(status, m.method);

@@ -70,7 +70,9 @@ fs::path cache_file(const fs::path& cache, uint64_t key) {
 }
 
 render::Document reference_document(const render::Document& base, const std::string& integrator) {
-  render::Document d = render::with_integrator(base, integrator);
+  render::Document d = base;
+  d.method.integrator = "path";  // its limit on the path depth is that of the reference
+  d = render::with_integrator(d, integrator);
   d.method.sampler = "sobol";
   d.method.adaptive = render::Adaptive::off;
   d.limits = {};

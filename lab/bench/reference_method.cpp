@@ -7,15 +7,12 @@
 #include "bench/reference.h"
 #include "integrator/integrator.h"
 #include "light/light.h"
-#include "render/incompatibility.h"
-#include "render/with_integrator.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {
 
 constexpr const char* kDefault = "path";
-// It finds light that path tracing finds seldom, from small lights and light sources that are hidden from most of the scene.
+// It finds light that path tracing finds seldom: caustics, and light from sources that are hidden from most of the scene.
 constexpr const char* kAlternative = "bdpt";
 
 bool has_delta_lights(const scene::Scene& scene) {
@@ -72,11 +69,7 @@ const ReferencePilot* most_efficient(std::span<const ReferencePilot> pilots) {
 
 std::vector<std::string> reference_candidates(const render::Document& base, std::span<const MethodSpec> methods) {
   std::vector<std::string> names{kDefault};
-  if (is_candidate(kAlternative, *base.scene) &&
-      render::incompatibility(render::with_integrator(base, kAlternative),
-                              *scene::compile(base.scene, base.camera, nullptr))
-          .empty())
-    names.push_back(kAlternative);
+  if (is_candidate(kAlternative, *base.scene)) names.push_back(kAlternative);
   for (const MethodSpec& method : methods) {
     const std::string& name = method.document.method.integrator;
     if (is_candidate(method, base) && std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -94,7 +87,8 @@ std::string reference_integrator(render::Session& session, const render::Documen
     d.limits.seconds = seconds;
     const auto keep_going = [&](const render::Status& s) { return progress(s.progress, "pilot of " + name); };
     if (!wait_for(session, session.submit(d), keep_going)) return kDefault;
-    pilots.push_back(pilot_of(name, session.film_copy(), session.status().seconds));
+    if (session.status().incompatibility.empty())
+      pilots.push_back(pilot_of(name, session.film_copy(), session.status().seconds));
   }
   const ReferencePilot* best = most_efficient(pilots);
   return best ? best->name : kDefault;

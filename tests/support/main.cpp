@@ -13,6 +13,7 @@ namespace {
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("etendue-tests-" + std::to_string(::getpid()))) {
+    std::filesystem::remove_all(path_);  // of a killed process with the same number
     std::filesystem::create_directories(path_);
     for (const char* name : {"TMPDIR", "TEST_TMPDIR"}) ::setenv(name, path_.c_str(), 1);
   }

@@ -56,12 +56,12 @@ TEST(MethodComparison, PredictsTheErrorOfMoreSamples) {
   const auto d = sized(*render::new_document("cornell"), 64);
   constexpr uint32_t kSamples = 32;
   constexpr double kGrowth = 16;
+  render::Session session({2});
   for (const char* sampler : {"sobol", "random"}) {
     // A race needs a second method; it is the same one.
     std::vector<advisor::ComparedMethod> methods(2);
     for (auto& m : methods) m.method = changed(d, "sampler", sampler).method;
     const auto raced = [&](const advisor::ComparisonPlan& plan) {
-      render::Session session({2});
       return advisor::compare_methods(session, d, methods, plan, never_cancel).methods[0];
     };
     advisor::ComparisonPlan plan{.cost = advisor::ray_cost, .budget = 1e12, .max_samples = kSamples, .seed = 5};

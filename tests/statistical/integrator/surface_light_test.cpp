@@ -187,6 +187,39 @@ TEST(SurfaceLight, TexturedMeshThatIsPartlyBlackFromItsSide) {
   test::expect_agreement(light, both, "light and bdpt", 3);
 }
 
+// A texture that is bright at none of the points of the mean: its triangles are no lights, but paths still hit them.
+TEST(SurfaceLight, TextureThatTheMeanMisses) {
+  Document d = floor_below_texture(0.7f);
+  scene::Scene scene = *d.scene;
+  auto texels = std::make_shared<image::Image>();
+  texels->width = texels->height = 32;
+  texels->channels = 3;
+  texels->bytes.assign(size_t{3} * 32 * 32, 0);
+  for (int y = 6; y < 9; ++y)
+    for (int x = 6; x < 9; ++x)
+      for (int c = 0; c < 3; ++c) texels->bytes[static_cast<size_t>(3 * (32 * y + x) + c)] = 255;
+  scene.textures[0].image = texels;
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = {{-2, 0.7f, -2}, {2, 0.7f, -2}, {-2, 0.7f, 2}};
+  mesh->uvs[0] = {{0, 0}, {1, 0}, {0, 1}};
+  mesh->triangles = {{0, 1, 2}};
+  test::add(scene, mesh, scene.materials.back());
+  scene.nodes[1].visible = false;
+  d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+  d.width = d.height = test::kSize;
+  d.camera = look_at({3, 0.5f, -2}, Vec3(0), {0, 1, 0}, 1);
+  ASSERT_TRUE(scene::compile(d.scene, d.camera, nullptr)->lights().triangles().empty());
+  const test::Estimate pure = test::replicated(test::with_integrator(d, "path-pure"), 4096);
+  const test::Estimate path = test::replicated(test::with_integrator(d, "path"), 4096, 2000);
+  const test::Estimate both = test::replicated(test::with_integrator(d, "bdpt"), 4096, 3000);
+  test::expect_agreement(pure, path, "path-pure and path", 2);
+  test::expect_agreement(pure, both, "path-pure and bdpt", 2);
+  double mean = 0, variance = 0;
+  for (size_t i = 0; i < pure.mean.size(); ++i) mean += pure.mean[i], variance += pure.variance[i];
+  EXPECT_GT(mean, 0);
+  EXPECT_LT(std::sqrt(variance), 0.1 * mean);
+}
+
 // The camera sees the radiance of the light over the solid angle that the light subtends.
 TEST(SurfaceLight, CoversItsSolidAngle) {
   constexpr float kField = 1.2f, kDistance = 4;
