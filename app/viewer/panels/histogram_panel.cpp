@@ -147,7 +147,7 @@ class HistogramPanel final : public Panel {
       const bool is_shown = source_ == kBeauty ? state.viewport.aov_name.empty() : source_ == state.viewport.aov_name;
       return {.done = is_shown && task_.is_current()};
     };
-    return {{.name = "histogram", .check = check}};
+    return {{.name = "histogram", .check = check, .needs_frames = true}};
   }
 
   void report(AppState&, nlohmann::json& json) override {
