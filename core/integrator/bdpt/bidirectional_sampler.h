@@ -232,7 +232,7 @@ class BidirectionalSampler {
   void merge_vertices() {
     for (int i = 0; i < subpaths_.camera.hit_count(); ++i) {
       const scene::SurfacePoint& z = subpaths_.camera.point(i);
-      if (!subpaths_.is_on_surface(z) || !subpaths_.camera.bsdf(i).has_non_delta_lobe()) continue;
+      if (!subpaths_.can_merge(z, subpaths_.camera.bsdf(i))) continue;
       if constexpr (M::kClasses) subpaths_.camera.shares().copy(subpaths_.camera.path_at(i), camera_shares_);
       Color sum(0);
       options_->merges->for_each_near(z.position, z.ng, [&](const MergeVertex& y) { sum += merged(i, y); });

@@ -8,6 +8,7 @@
 #include "transport/mis/mis.h"
 #include "transport/mis/mis_chain.h"
 #include "transport/path_expression/class_join.h"
+#include "transport/wavefront/lobe_split.h"
 #include "transport/wavefront/medium_light.h"
 
 namespace etendue::integrator {
@@ -20,7 +21,8 @@ struct BidirectionalOptions {
   bool apply_mis = true;
   bool reuse = true;  // connect all pairs of vertices
   std::optional<transport::ClassJoin> classes;
-  const MergeMap* merges = nullptr;  // vertices of light subpaths that camera subpaths are merged with; null: none
+  const MergeMap* merges = nullptr;     // vertices of light subpaths that camera subpaths are merged with; null: none
+  transport::LobeSplit merge_split{0};  // vertices are merged on surfaces with lobes that are rough
   // How light samples (s = 1) are chosen, with the points of emission. Not by the tree if vertices are merged: stored
   // vertices have no room for the ratio of densities.
   LightStrategy lights = LightStrategy::emission_auto;
@@ -209,7 +211,7 @@ class BidirectionalSubpaths {
     const Vec3& wo = light.wo(i);
     const float lights =
         light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_light_vertex_[static_cast<size_t>(path)],
-                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1, is_on_surface(point));
+                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1, can_merge(point, bsdf));
     float lens = 0;
     if (context_->camera->can_be_hit() && is_enabled(s + 1, 0)) {
       const float distance = view.distance, c = context_->camera->cosine(-view.wi, light.state_at(i).time);
@@ -269,7 +271,7 @@ class BidirectionalSubpaths {
     const float hits = sample.delta || !is_enabled(0, t + 1) ? 0.0f : light_rule().ratio(pdf / sample.pdf);
     const float reverse_pdf = d.second * (d.infinite ? cos_point : cos_point / sqr(sample.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, reverse_pdf,
-                                     camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1, is_on_surface(point));
+                                     camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1, can_merge(point, camera.bsdf(i)));
     return weight_of_connection(path, 1, t, hits, relative_to_light_sample(cameras, sample)) / sample.pdf;
   }
 
@@ -277,9 +279,11 @@ class BidirectionalSubpaths {
   // of i as sampled from y, per area; `wi` is the direction from i to y.
   Weight connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
     const int s = y.length + 1, t = camera.length() + 1, path = camera.path_at(i);
-    const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t, is_on_surface(y.point));
-    const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, density_at_z,
-                                     camera.bsdf(i).pdf(wi, camera.wo(i)), s, is_on_surface(camera.point(i)));
+    const float lights =
+        light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t, can_merge(y.point, y.bsdf));
+    const float cameras =
+        camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, density_at_z,
+                   camera.bsdf(i).pdf(wi, camera.wo(i)), s, can_merge(camera.point(i), camera.bsdf(i)));
     return weight_of_connection(path, s, t, lights, cameras);
   }
 
@@ -295,6 +299,12 @@ class BidirectionalSubpaths {
   }
   const transport::MisVertex& light_vertex(int i) const { return light_vertices_[static_cast<size_t>(i)]; }
 
+  // Whether subpaths of both sides that end at this vertex can be merged.
+  bool can_merge(const scene::SurfacePoint& point, const Bsdf<M>& bsdf) const {
+    return merge_density_ > 0 && is_on_surface(point) && options_->merge_split.has_rough(bsdf);
+  }
+
+ private:
   static bool is_on_surface(const scene::SurfacePoint& point) {
     if constexpr (M::kScattering)
       return !point.in_volume;
@@ -302,7 +312,6 @@ class BidirectionalSubpaths {
       return (void)point, true;
   }
 
- private:
   using MisVertex = transport::MisVertex;
   using MisChain = transport::MisChain;
   using MisRule = transport::MisRule;
@@ -379,12 +388,12 @@ class BidirectionalSubpaths {
     }
   }
 
-  static void scatter(PathWavefront& paths, PerPath<MisChain>& chains, const PerHit& vertices, const MisRule& rule,
-                      int i, const LobeSample<Color>& s) {
+  void scatter(PathWavefront& paths, PerPath<MisChain>& chains, const PerHit& vertices, const MisRule& rule, int i,
+               const LobeSample<Color>& s) const {
     const float cos_o = cosine(paths.point(i), paths.wo(i)), cos_i = cosine(paths.point(i), s.wi);
     MisChain& chain = chains[static_cast<size_t>(paths.path_at(i))];
     chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : paths.bsdf(i).pdf(s.wi, paths.wo(i)),
-                  s.delta, is_on_surface(paths.point(i)));
+                  s.delta, can_merge(paths.point(i), paths.bsdf(i)));
     chain.sample_direction(s.delta ? cos_i : s.pdf_solid_angle, cos_i);
   }
 

@@ -15,13 +15,17 @@
 // Light subpaths are traced twice: first all of a sample, whose vertices are stored with 64 bytes each, and again with
 // their pixel, because connections need the whole BSDF of a vertex. Both have the same random numbers.
 //
-// In scattering media, collisions are connected but not merged.
+// A merge on a nearly specular surface blurs what it reflects, where connections and BSDF samples are exact. Vertices are
+// merged on surfaces with a diffuse lobe or a sufficient roughness only. In scattering media, collisions are connected
+// but not merged.
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G).*L, and the paths of bdpt
 //   Bias          consistent
 //   Cost          that of bdpt and once more its light subpaths; 64 bytes per vertex of a light subpath
 //   Limitations   Simple scenes gain nothing over path tracing. Light of media that emit is found by camera subpaths
-//                 only, and caustics of point lights in media seen through glass are not found.
+//                 only, and caustics of point lights in media seen through glass are not found. Neither are those on
+//                 glossy surfaces below the roughness limit, if both light and camera see the surface by specular
+//                 reflection or refraction.
 #include "integrator/bdpt/bidirectional_sampler.h"
 #include "integrator/integrator_base.h"
 #include "integrator/photon/progressive_radius.h"
@@ -44,7 +48,9 @@ class Vcm final : public IntegratorBase<Vcm> {
         .cost = "that of bdpt and once more its light subpaths; 64 bytes per vertex of a light subpath",
         .limitations =
             "Simple scenes gain nothing over path tracing. Light of media that emit is found by camera subpaths only, "
-            "and caustics of point lights in media seen through glass are not found.",
+            "and caustics of point lights in media seen through glass are not found. Neither are those on glossy "
+            "surfaces "
+            "below the roughness limit, if both light and camera see the surface by specular reflection or refraction.",
         .accumulation = Accumulation::with_splats,
         .division = {DivisionUnit::passes, false,
                      "The light subpaths and the radius of a sample depend on its number only. They contribute to any "
@@ -77,7 +83,14 @@ class Vcm final : public IntegratorBase<Vcm> {
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
-  auto parameters() { return std::tie(max_depth, radius, alpha, roulette_start); }
+  Number<float> roughness{"roughness",
+                          "Min. roughness of merges",
+                          0.2f,
+                          {0, 1},
+                          "Surfaces that only have glossy lobes below this roughness are connected, but not merged. "
+                          "Lowering it finds more caustics on them and blurs what they reflect"};
+
+  auto parameters() { return std::tie(max_depth, radius, alpha, roulette_start, roughness); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
 };
@@ -94,6 +107,7 @@ class VcmState final : public RenderState {
                  .roulette_start = integrator.roulette_start,
                  .classes = class_join(*context.model),
                  .merges = &map_,
+                 .merge_split = transport::LobeSplit(integrator.roughness),
                  .lights = LightStrategy::emission_pdf} {}
 
   std::vector<Phase> phases(uint32_t sample) override {
@@ -165,7 +179,7 @@ class VcmState final : public RenderState {
     if constexpr (M::kClasses) light.draw(dimensions(vertex_dimension::kLightChoice, 1));
     for (int i = 0; i < light.hit_count(); ++i) {
       const scene::SurfacePoint& point = light.point(i);
-      if (!subpaths.is_on_surface(point) || !light.bsdf(i).has_non_delta_lobe()) continue;
+      if (!subpaths.can_merge(point, light.bsdf(i))) continue;
       const int path = light.path_at(i);
       MergeVertex v;
       v.flux = light.state(path).throughput * starts.flux(path);

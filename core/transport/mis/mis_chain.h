@@ -39,8 +39,8 @@
 //
 // Vertex merging [Georgiev et al. 2012] adds techniques. A light subpath and a camera subpath that both end at vertex i,
 // within a distance r of each other, have the density p_i,merge = p_i eta ahead_i, where eta is pi r^2 times the number of
-// light subpaths. The sums then also contain the merges at each vertex of the subpath that is on a surface and not
-// specular:
+// light subpaths. The sums then also contain the merges at each vertex of the subpath that can be merged. Vertices in
+// media, on specular surfaces and on surfaces that are chosen by their roughness cannot:
 //
 //   S_n = (back_{n-1} / ahead_{n-1})^beta (c_{n-1} + (eta ahead_{n-1})^beta + S_{n-1})
 //
@@ -177,11 +177,11 @@ class MisChain {
   }
 
   // Continues from the vertex. `reverse_pdf` is the density of the direction to the previous vertex, per solid angle.
-  // `on_surface`: vertices that are not specular can be merged.
-  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta, bool on_surface) {
+  // `mergeable`: subpaths of the other side can be merged here, unless the direction is a delta.
+  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta, bool mergeable) {
     previous_connection_ = delta ? 0 : vertex.connection;
     partial_sum_ = rule.combine(previous_connection_, rule.power(reverse_pdf) * vertex.weighted_sum);
-    if (rule.merges() && on_surface && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
+    if (rule.merges() && mergeable && !delta) partial_sum_ = rule.combine(partial_sum_, rule.merge(vertex.pdf));
     previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
     connection_ = delta ? 0 : 1;
     infinite_ = false;

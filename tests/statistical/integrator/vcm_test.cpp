@@ -48,6 +48,45 @@ TEST(VertexMerging, AgreesWithPathTracing) {
   }
 }
 
+// A ball of clay, and a small light that a floor of polished metal (roughness 0.15) reflects.
+Document light_above_metal() {
+  scene::Scene scene;
+  Material metal;
+  metal.base_color = Rgb(0.8f);
+  metal.metallic = 1;
+  metal.roughness = 0.15f;
+  Mat4 above(1);
+  above[1][1] = -1;
+  above[2][2] = -1;
+  above[3] = Vec4(0.3f, 2, -1.5f, 1);
+  test::add(scene, test::quad(4), metal);
+  test::add(scene, test::sphere(0.5f, 8, false), test::diffuse(Rgb(0.5f)), test::at({-0.8f, 0.5f, 0}));
+  test::add(scene, test::quad(0.2f), test::diffuse(Rgb(0.3f), Rgb(20)), above);
+  return test::view_from_above(std::move(scene));
+}
+
+// The weights of all techniques sum to 1 where some vertices of a path are merged and others are not.
+TEST(VertexMerging, AgreesWithPathTracingOnPolishedMetal) {
+  const Document d = light_above_metal();
+  expect_same_mean(with_integrator(d, "path"), 1024, merging(d, "0.3"), 128, "polished metal", 1);
+}
+
+// Merges would blur the reflection of the light; the limit of the roughness excludes them there.
+TEST(VertexMerging, PolishedMetalReflectsSharply) {
+  const Document d = light_above_metal();
+  const auto reference = test::rendered(with_integrator(d, "path"), 4096);
+  const auto squared_error = [&](const char* roughness) {
+    const auto film = test::rendered(with(merging(d, "2"), "roughness", roughness), 64);
+    double sum = 0;
+    for (int y = 0; y < d.height; ++y)
+      for (int x = 0; x < d.width; ++x) sum += sqr(double{film.mean(x, y).g} - double{reference.mean(x, y).g});
+    return sum;
+  };
+  const double limited = squared_error("0.2"), everywhere = squared_error("0");
+  RecordProperty("ratio", std::to_string(limited / everywhere));
+  EXPECT_LT(limited, 0.25 * everywhere);
+}
+
 // A wide lens can be hit by light paths.
 TEST(VertexMerging, AgreesWithPathTracingThroughALens) {
   const Document d = test::with_lens(test::balls_under_area_light());
