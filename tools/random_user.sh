@@ -4,9 +4,10 @@
 #
 #   tools/random_user.sh [asan|tsan|release] [ACTIONS] [FIRST SEED]    default: asan 10000 1
 #
-# Builds the preset if necessary. Each run has at most 500 actions, so that a finding can be repeated quickly: run N uses
-# the seed FIRST + N. Exit code 0 means that no run had a finding. The logs are build/PRESET/random-user/N.log (actions)
-# and N.txt (output). $ETENDUE is a program to use instead. Test data (ETENDUE_TEST_DATA) adds files to drop.
+# Builds the preset if necessary; the sanitizers need clang++-16 and libclang-rt-16-dev. Each run has at most 500 actions,
+# so that a finding can be repeated quickly: run N uses the seed FIRST + N. Exit code 0 means that no run had a finding.
+# The logs are build/PRESET/random-user/N.log (actions) and N.txt (output). $ETENDUE is a program to use instead. Test
+# data (ETENDUE_TEST_DATA) adds files to drop.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-asan}

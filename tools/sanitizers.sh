@@ -4,6 +4,8 @@
 #   tools/sanitizers.sh [asan|tsan|all] [CTEST ARGUMENTS...]    default: all, with the whole suite
 #   JOBS=1 tools/sanitizers.sh asan -L fast                     one preset and one label, on one core
 #
+# Needs clang++-16 and libclang-rt-16-dev.
+#
 # asan: address, leak and undefined behaviour sanitizers. tsan: thread sanitizer. The logs are
 # build/PRESET/sanitizers.log. Exit code 1 means that a test failed or that a preset could not be built.
 set -uo pipefail

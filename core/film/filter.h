@@ -55,8 +55,8 @@ class Filter {
   [[gnu::always_inline]] float inverse(float u) const {
     const float side = u - 0.5f;
     const float position = kPositionCells * std::sqrt(std::sqrt(1 - 2 * std::abs(side)));
-    // Clamped from below as well, because the unused elements of the last register may be NaN.
-    const int cell = std::max(0, std::min(static_cast<int>(position), kPositionCells - 1));
+    // The unused elements of the last register may be NaN; these are read as 0.
+    const auto cell = static_cast<int>(std::max(0.0f, std::min(position, kPositionCells - 1.0f)));
     const auto i = static_cast<size_t>(cell);
     const float x = positions_[i] + (positions_[i + 1] - positions_[i]) * (position - static_cast<float>(cell));
     return std::copysign(x, side);

@@ -82,28 +82,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
 namespace {
 
 class ManifoldState final : public RenderState {
- public:
-  ManifoldState(const ManifoldPathTracing& integrator, const RenderContext& context)
-      : integrator_(integrator), context_(context), casters_(*context.scene), targets_(*context.scene) {}
-
-  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
-                                 const TaskContext& task_context) override {
-    return transport::with_model(*context_.model, [&]<class M>(M) -> std::optional<uint64_t> {
-      transport::PathWavefront<M>& paths = thread_wavefront<M>();
-      const PixelOrder order(block);
-      launch_camera_paths(context_, block, order, task_context, paths);
-      const uint64_t walk_rays = estimate(paths);
-      if (task_context.recorder) task_context.recorder->collect(paths.size());
-      const auto rays = collect(paths, order, radiance);
-      if (!rays) return {};
-      return *rays + walk_rays;
-    });
-  }
-
-  size_t memory() const override { return casters_.memory(); }
-
- private:
-  // Returns the number of rays that walks have traced.
+  // Returns the number of rays that walks have traced. Defined before its use, where Clang 16 instantiates it.
   template <class M>
   uint64_t estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
@@ -128,6 +107,27 @@ class ManifoldState final : public RenderState {
     return chains.rays();
   }
 
+ public:
+  ManifoldState(const ManifoldPathTracing& integrator, const RenderContext& context)
+      : integrator_(integrator), context_(context), casters_(*context.scene), targets_(*context.scene) {}
+
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_model(*context_.model, [&]<class M>(M) -> std::optional<uint64_t> {
+      transport::PathWavefront<M>& paths = thread_wavefront<M>();
+      const PixelOrder order(block);
+      launch_camera_paths(context_, block, order, task_context, paths);
+      const uint64_t walk_rays = estimate(paths);
+      if (task_context.recorder) task_context.recorder->collect(paths.size());
+      const auto rays = collect(paths, order, radiance);
+      if (!rays) return {};
+      return *rays + walk_rays;
+    });
+  }
+
+  size_t memory() const override { return casters_.memory(); }
+
+ private:
   const ManifoldPathTracing& integrator_;
   const RenderContext context_;
   const manifold::SpecularCasters casters_;

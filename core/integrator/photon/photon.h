@@ -14,9 +14,11 @@
 namespace etendue::photon {
 
 // Quantises a unit vector to 2 x bits by the octahedral map [Cigolle et al. 2014]. The error is at most 4.3 / 2^bits.
+// Not a number, as in the padding of arrays, counts as -1.
 constexpr uint32_t quantize(float x, int bits) {
   const auto most = static_cast<float>((1 << bits) - 1);
-  return static_cast<uint32_t>(static_cast<int32_t>((std::clamp(x, -1.0f, 1.0f) * 0.5f + 0.5f) * most + 0.5f));
+  const float bounded = std::max(-1.0f, std::min(x, 1.0f));
+  return static_cast<uint32_t>(static_cast<int32_t>((bounded * 0.5f + 0.5f) * most + 0.5f));
 }
 
 // Branch-free, because the branches would be unpredictable.
