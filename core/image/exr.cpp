@@ -300,7 +300,8 @@ Result<LayeredImage> read_exr_header(const std::filesystem::path& path) {
 
 namespace {
 
-Result<void> write_exr_file(const std::filesystem::path& path, const LayeredImage& image, Imf::Compression compression) {
+Result<void> write_exr_file(const std::filesystem::path& path, const LayeredImage& image,
+                            Imf::Compression compression) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
     FileStream stream(temporary);
@@ -326,6 +327,18 @@ Result<void> write_exr_quickly(const std::filesystem::path& path, const LayeredI
   return write_exr_file(path, image, Imf::RLE_COMPRESSION);
 }
 
+namespace {
+
+// Without this attribute. (Imf::Header::erase does not free it.)
+Imf::Header header_without(const std::string& name, const Imf::Header& header) {
+  Imf::Header rest;
+  for (auto a = header.begin(); a != header.end(); ++a)
+    if (a.name() != name) rest.insert(a.name(), a.attribute());
+  return rest;
+}
+
+}  // namespace
+
 Result<void> set_exr_attribute(const std::filesystem::path& path, const std::string& name, const std::string& text) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
@@ -338,8 +351,7 @@ Result<void> set_exr_attribute(const std::filesystem::path& path, const std::str
       if (Imf::MultiPartInputFile(in, 0, false).parts() > 1) throw std::runtime_error("the file has several parts");
       in.seekg(0);
       Imf::InputFile source(in, 0);
-      Imf::Header header = source.header();
-      header.erase(name);
+      Imf::Header header = header_without(name, source.header());
       if (!text.empty()) header.insert(name, Imf::StringAttribute(text));
       Imf::OutputFile(out, header, 0).copyPixels(source);
     } catch (const std::exception& e) {

@@ -192,7 +192,7 @@ TEST_F(Morphs, ApplyToVerticesThatAreSplitForTangents) {
   square["targets"] = {{{"POSITION", gltf.vec3({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}})}}};
   gltf.root["meshes"][0]["weights"] = {1};
   gltf.root["materials"] = {{{"normalTexture", {{"index", 0}}}}};
-  gltf.root["textures"] = {json::object()};
+  gltf.root["textures"] = json::array({json::object()});
   const auto mesh = posed(opened(gltf));
   ASSERT_EQ(mesh->positions.size(), 6U);
   for (const Vec3& p : mesh->positions) EXPECT_EQ(p.z, p.y == 0 ? p.x : 3 - p.x);

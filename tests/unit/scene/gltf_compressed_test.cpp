@@ -133,7 +133,7 @@ TEST_F(Draco, PrimitivesThatDifferOnlyInMaterialShareTheMesh) {
   Gltf gltf = file(encoded(draco::MESH_EDGEBREAKER_ENCODING));
   json& primitives = gltf.root["meshes"][0]["primitives"];
   primitives.push_back(primitives[0]);
-  gltf.root["materials"] = {json::object()};
+  gltf.root["materials"] = json::array({json::object()});
   primitives[1]["material"] = 0;
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene, 0), mesh_of(scene, 1));

@@ -10,7 +10,7 @@ class Materials : public GltfTest {
   static Gltf with(const json& material) {
     Gltf gltf;
     gltf.triangle()["material"] = 0;
-    gltf.root["materials"] = {material};
+    gltf.root["materials"] = json::array({material});
     gltf.root["textures"] = {{{"source", 0}}, {{"source", 0}}};
     gltf.root["images"] = {{{"uri", "none.png"}}};
     return gltf;

@@ -16,10 +16,11 @@ class Media : public GltfTest {
 
 // sigma_t = -ln(color) / distance; sigma_s is its product with the single-scattering albedo of the extension.
 TEST_F(Media, VolumeScatterDividesTheAttenuation) {
-  Gltf gltf = with({{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
-                    {"KHR_materials_volume",
-                     {{"thicknessFactor", 1}, {"attenuationDistance", 0.5}, {"attenuationColor", {0.5, 0.25, 1}}}},
-                    {"KHR_materials_volume_scatter", {{"multiscatterColor", {1, 0.5, 0}}, {"scatterAnisotropy", 0.25}}}});
+  Gltf gltf =
+      with({{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+            {"KHR_materials_volume",
+             {{"thicknessFactor", 1}, {"attenuationDistance", 0.5}, {"attenuationColor", {0.5, 0.25, 1}}}},
+            {"KHR_materials_volume_scatter", {{"multiscatterColor", {1, 0.5, 0}}, {"scatterAnisotropy", 0.25}}}});
   const auto scene = opened(gltf);
   EXPECT_EQ(all(scene.warnings), "");
   const Material& m = scene.materials[0];
@@ -83,12 +84,9 @@ TEST_F(Media, InvalidValuesAreReportedAndIgnored) {
   };
   for (const Defect& defect :
        {Defect{{{"scattering", {-1, 0, 0}}}, "medium.scattering: has to be three numbers from 0 to 1e6"},
-        Defect{{{"scattering", {1, 2}}}, "medium.scattering"},
-        Defect{{{"absorption", "dark"}}, "medium.absorption"},
-        Defect{{{"absorption", {0, 1e9, 0}}}, "medium.absorption"},
-        Defect{{{"priority", 1e9}}, "medium.priority"},
-        Defect{{{"emission", {1, -1, 1}}}, "medium.emission"},
-        Defect{{{"temperature", "hot"}}, "medium.temperature"},
+        Defect{{{"scattering", {1, 2}}}, "medium.scattering"}, Defect{{{"absorption", "dark"}}, "medium.absorption"},
+        Defect{{{"absorption", {0, 1e9, 0}}}, "medium.absorption"}, Defect{{{"priority", 1e9}}, "medium.priority"},
+        Defect{{{"emission", {1, -1, 1}}}, "medium.emission"}, Defect{{{"temperature", "hot"}}, "medium.temperature"},
         Defect{{{"transmittance", "magic"}}, "medium.transmittance"},
         Defect{{{"density", "thick"}}, "medium.density.name"},
         Defect{{{"density", {{"name", "steam"}}}}, "there is no density 'steam'"},
@@ -120,7 +118,7 @@ TEST_F(Media, BoundariesThatAreNotClosedAreReported) {
   open.triangle()["material"] = 0;
   open.root["materials"] = closed.root["materials"];
   EXPECT_TRUE(warns(opened(open), "meshes[0]: encloses a medium, but is not closed"));
-  open.root["materials"] = {json::object()};
+  open.root["materials"] = json::array({json::object()});
   EXPECT_EQ(all(opened(open).warnings), "");
 }
 

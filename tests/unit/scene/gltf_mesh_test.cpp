@@ -132,7 +132,7 @@ class NormalMaps : public Meshes {
  protected:
   static void add_normal_map(Gltf& gltf, json use = {{"index", 0}}) {
     gltf.root["materials"] = {{{"normalTexture", std::move(use)}}};
-    gltf.root["textures"] = {json::object()};
+    gltf.root["textures"] = json::array({json::object()});
     gltf.root["meshes"][0]["primitives"][0]["material"] = 0;
   }
 };

@@ -89,7 +89,7 @@ TEST_F(Variants, MeshesHaveTheTangentsThatVariantsNeed) {
   gltf.root["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
       {{"material", 1}, {"variants", {0}}}};
   gltf.root["materials"] = {json::object(), {{"normalTexture", {{"index", 0}}}}};
-  gltf.root["textures"] = {json::object()};
+  gltf.root["textures"] = json::array({json::object()});
   gltf.root["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "rough"}}};
   EXPECT_EQ(mesh_of(opened(gltf))->tangents.size(), 4U);
 }

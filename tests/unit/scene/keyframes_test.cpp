@@ -25,7 +25,8 @@ Transform at(float x) {
 
 Scene with_keys(Scene scene) {
   for (const float time : {2.0f, 0.0f, 1.0f}) {
-    auto changed = with_keyframe(std::move(scene), kNode, animation_for_keyframes(scene, kNode), time, at(time * time));
+    const int animation = animation_for_keyframes(scene, kNode);
+    auto changed = with_keyframe(std::move(scene), kNode, animation, time, at(time * time));
     EXPECT_TRUE(changed) << changed.error().message;
     scene = std::move(*changed);
   }
@@ -36,7 +37,8 @@ TEST(Keyframes, ValuesBetweenKeysAreLinear) {
   Scene scene = with_keys(find_builtin("cornell")->make());
   EXPECT_EQ(keyframe_times(scene, kNode, 0), (std::vector<float>{0, 1, 2}));
   EXPECT_FLOAT_EQ(animation_duration(scene), 2);
-  for (const auto& [time, x] : {std::pair{0.0f, 0.0f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {1.5f, 2.5f}, {2.0f, 4.0f}, {9.0f, 4.0f}}) {
+  for (const auto& [time, x] :
+       {std::pair{0.0f, 0.0f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {1.5f, 2.5f}, {2.0f, 4.0f}, {9.0f, 4.0f}}) {
     scene.time = time;
     const Transform posed = posed_transform(scene, kNode);
     EXPECT_NEAR(posed.translation.x, x, 1e-6f) << time;
@@ -142,7 +144,8 @@ TEST(Keyframes, RepeatedOnesAreRestoredAsTheLast) {
   auto restored = render::document_from_state(render::state_json(*document, 0), "test");
   ASSERT_TRUE(restored) << restored.error().message;
   for (const double time : {0.0, 0.5, 1.0, 2.5, 4.0}) {
-    const auto live = render::with(*document, "scene.time", Value(time)), again = render::with(*restored, "scene.time", Value(time));
+    const auto live = render::with(*document, "scene.time", Value(time)),
+               again = render::with(*restored, "scene.time", Value(time));
     ASSERT_TRUE(live && again);
     for (const int node : {kNode, kNode + 1})
       EXPECT_EQ(posed_transform(*live->scene, node), posed_transform(*again->scene, node)) << time;
