@@ -16,7 +16,8 @@ void PieceRenderer::begin(const Piece& piece) {
   render::Document part = document_;
   part.part = {.first_sample = piece.samples.first, .region = std::nullopt};
   part.limits = {piece.samples.size(), 0, 0, document_.limits.measure};
-  version_ = session_.submit(part);
+  // An empty film: otherwise the session would continue one with the same first sample, which may have more samples.
+  version_ = session_.submit(part, render::ResumePoint(film::Film(part.width, part.height)));
   piece_ = piece;
 }
 
