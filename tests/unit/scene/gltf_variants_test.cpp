@@ -16,7 +16,7 @@ Gltf shop() {
   gltf.triangle()["material"] = 0;
   gltf.root["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {mapping(1, {0}),
                                                                                                  mapping(2, {1})};
-  gltf.triangle()["extensions"]["KHR_materials_variants"]["mappings"] = {mapping(2, {1})};
+  gltf.triangle()["extensions"]["KHR_materials_variants"]["mappings"] = json::array({mapping(2, {1})});
   gltf.triangle()["material"] = 1;
   for (const char* name : {"red", "green", "blue"}) gltf.root["materials"].push_back({{"name", name}});
   gltf.root["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "spring"}}, {{"name", "autumn"}}};
