@@ -46,10 +46,10 @@ done
 files=$(find "$out/drop" -type f | sort | sed 's/.*/"&"/' | paste -sd, -)
 
 # The leaks in a report that count. Memory that code without a module allocated (llvmpipe generates code at run time) does
-# not: GCC's leak sanitizer cannot name such code in cmake/lsan.supp.
+# not, because cmake/lsan.supp cannot name such code.
 own_leaks() {
   awk '/^(Direct|Indirect) leak of/ { leak = $0; waits = 1; next }
-       waits && /^ *#[0-9]+ / && !/__interceptor_|libsanitizer|operator new/ {
+       waits && /^ *#[0-9]+ / && !/__interceptor_|libsanitizer|operator new| (malloc|calloc|realloc|posix_memalign) / {
          waits = 0
          if (!/<unknown module>/) print leak " " $0
        }' "$1"

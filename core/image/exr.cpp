@@ -300,6 +300,14 @@ Result<LayeredImage> read_exr_header(const std::filesystem::path& path) {
 
 namespace {
 
+// Without this attribute. (Imf::Header::erase does not free it.)
+Imf::Header header_without(const std::string& name, const Imf::Header& header) {
+  Imf::Header rest;
+  for (auto a = header.begin(); a != header.end(); ++a)
+    if (a.name() != name) rest.insert(a.name(), a.attribute());
+  return rest;
+}
+
 Result<void> write_exr_file(const std::filesystem::path& path, const LayeredImage& image,
                             Imf::Compression compression) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
@@ -326,18 +334,6 @@ Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& im
 Result<void> write_exr_quickly(const std::filesystem::path& path, const LayeredImage& image) {
   return write_exr_file(path, image, Imf::RLE_COMPRESSION);
 }
-
-namespace {
-
-// Without this attribute. (Imf::Header::erase does not free it.)
-Imf::Header header_without(const std::string& name, const Imf::Header& header) {
-  Imf::Header rest;
-  for (auto a = header.begin(); a != header.end(); ++a)
-    if (a.name() != name) rest.insert(a.name(), a.attribute());
-  return rest;
-}
-
-}  // namespace
 
 Result<void> set_exr_attribute(const std::filesystem::path& path, const std::string& name, const std::string& text) {
   const auto bytes = read_file(path);

@@ -82,7 +82,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
 namespace {
 
 class ManifoldState final : public RenderState {
-  // Returns the number of rays that walks have traced. Defined before its use, where Clang 16 instantiates it.
+  // Returns the number of rays that walks have traced. Clang 16 does not instantiate it if it is defined after its use.
   template <class M>
   uint64_t estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;

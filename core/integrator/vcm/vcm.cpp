@@ -16,7 +16,7 @@
 // their pixel, because connections need the whole BSDF of a vertex. Both have the same random numbers.
 //
 // A merge on a nearly specular surface blurs what it reflects, where connections and BSDF samples are exact. Vertices are
-// merged on surfaces with a diffuse lobe or a sufficient roughness only. In scattering media, collisions are connected
+// therefore merged only on surfaces that have a diffuse lobe or are rough enough. In scattering media, collisions are connected
 // but not merged.
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G).*L, and the paths of bdpt
