@@ -81,6 +81,7 @@ struct IntegratorInfo {
   bool subsurface = false;  // renders diffusion below surfaces, which is biased; scenes with such materials need it
   bool ignores_portals = false;   // no light sample is guided by the environment portals of a scene
   bool negative_samples = false;  // the estimate of a sample may be negative; its expectation is not
+  std::string same_without_specular = {};  // the integrator with equal samples in scenes without specular surfaces
   bool spectral = false;          // renders with wavelengths instead of RGB; materials that disperse light need it
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
   // The source file that contains the description, for the manual.

@@ -12,6 +12,7 @@
 #include "base/base64.h"
 #include "base/error_free.h"
 #include "base/hash.h"
+#include "base/tsan_handoff.h"
 #include "film/film_image.h"
 #include "image/image.h"
 #include "render/image_output.h"
@@ -19,6 +20,8 @@
 
 namespace etendue::render {
 namespace {
+
+TsanHandoff g_rows_handoff;
 
 using nlohmann::json;
 
@@ -183,7 +186,9 @@ void add_layer(const image::Layer& layer, film::Film& film) {
   const uint32_t half = layer.name.starts_with(kHalfNames[0]) ? 0 : 1;
   const bool counts = is_count(layer);
   const size_t row_length = layer.channels.size() * static_cast<size_t>(film.width());
+  g_rows_handoff.release();
   tbb::parallel_for(0, film.height(), [&](int y) {
+    g_rows_handoff.acquire();
     const float* value = layer.pixels.data() + row_length * static_cast<size_t>(y);
     for (int x = 0; x < film.width(); ++x, value += layer.channels.size()) {
       if (counts)

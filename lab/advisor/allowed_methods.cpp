@@ -27,11 +27,6 @@ Automaton possible_paths(const render::Document& document, const scene::Compiled
   return common(requested, PathExpression::parse_paths("E(D|G|V)*L")->automaton());
 }
 
-// The integrator that renders the same samples in scenes without specular surfaces, if it is another one.
-std::string_view equal_without_specular_surfaces(std::string_view integrator) {
-  return integrator == "path-manifold" ? "path" : "";
-}
-
 class Filter {
  public:
   Filter(const render::Document& document, const scene::CompiledScene& scene)
@@ -59,8 +54,8 @@ class Filter {
     if (!is_allowed(info.bias, document_.automatic.allow))
       return "it is " + std::string(integrator::bias_name(info.bias)) + "; auto.allow permits others only";
     if (info.negative_samples) return "its samples may be negative, so no tail of bright samples can be measured";
-    if (const auto equal = equal_without_specular_surfaces(info.name); !equal.empty() && !has_specular_surfaces(scene_))
-      return "without mirrors and smooth glass it is the same as " + std::string(equal);
+    if (!info.same_without_specular.empty() && !has_specular_surfaces(scene_))
+      return "without mirrors and smooth glass it is the same as " + info.same_without_specular;
     if (selects_techniques(method)) return "its settings disable or isolate sampling techniques";
     render::Document d = document_;
     d.method = method;

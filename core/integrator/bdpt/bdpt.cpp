@@ -22,6 +22,7 @@
 #include "integrator/bdpt/techniques.h"
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
+#include "integrator/shared/light_learning.h"
 #include "transport/mis/mis.h"
 
 namespace etendue::integrator {
@@ -103,6 +104,7 @@ class BdptState final : public RenderState {
  public:
   BdptState(const Bdpt& integrator, const RenderContext& context)
       : context_(context),
+        learned_(learn_light_choice(context, LightStrategy::emission_auto, integrator.max_depth)),
         options_{.heuristic = integrator.heuristic,
                  .max_depth = integrator.max_depth,
                  .roulette_start = integrator.roulette_start,
@@ -110,7 +112,8 @@ class BdptState final : public RenderState {
                  .shown = parse(integrator.only),
                  .apply_mis = integrator.weighted,
                  .reuse = integrator.reuse,
-                 .classes = class_join(*context.model)} {}
+                 .classes = class_join(*context.model),
+                 .lights = LightSampling(LightStrategy::emission_auto).with(learned_.get())} {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
@@ -121,6 +124,7 @@ class BdptState final : public RenderState {
 
  private:
   const RenderContext context_;
+  const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   const BidirectionalOptions options_;
 };
 

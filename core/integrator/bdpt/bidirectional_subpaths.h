@@ -23,9 +23,9 @@ struct BidirectionalOptions {
   std::optional<transport::ClassJoin> classes;
   const MergeMap* merges = nullptr;     // vertices of light subpaths that camera subpaths are merged with; null: none
   transport::LobeSplit merge_split{0};  // vertices are merged on surfaces with lobes that are rough
-  // How light samples (s = 1) are chosen, with the points of emission. Not by the tree if vertices are merged: stored
-  // vertices have no room for the ratio of densities.
-  LightStrategy lights = LightStrategy::emission_auto;
+  // How light samples (s = 1) are chosen, with the points of emission. Not by the tree or by learned probabilities if
+  // vertices are merged: stored vertices have no room for the ratio of densities.
+  LightSampling lights = LightStrategy::emission_auto;
 
   bool too_long(int edges) const { return max_depth > 0 && edges > max_depth; }
   bool contributes(int s, int t) const { return !excluded.contains(s, t) && (shown.empty() || shown.contains(s, t)); }
@@ -60,7 +60,7 @@ class BidirectionalSubpaths {
     techniques_ = techniques;
     pixels_ = pixels;
     merge_density_ = options.merges ? options.merges->density() : 0;
-    chooses_by_tree_ = lights().uses_normals(options.lights);
+    chooses_by_receiver_ = options.lights.learned || lights().uses_normals(options.lights);
   }
 
   // Without reuse, each path is one connection of the ends of two subpaths. The numbers of vertices are sampled from
@@ -128,7 +128,7 @@ class BidirectionalSubpaths {
   // Computes the MIS quantities of the current hits.
   void add_light_hits() {
     add_hits(light, light_chains_, light_vertices_, light_rule());
-    if (chooses_by_tree_ && light.length() == 1) weigh_light_samples_of_light_hits();
+    if (chooses_by_receiver_ && light.length() == 1) weigh_light_samples_of_light_hits();
   }
   void add_camera_hits() {
     if (camera.length() == 1) set_lens_directions();
@@ -339,12 +339,12 @@ class BidirectionalSubpaths {
   // r^beta of a camera subpath that has hit a light at `vertex`. A light in direct view is sampled by light subpaths.
   float light_sample_power(uint32_t light_index, const transport::PathState<Color>& path,
                            const MisVertex& vertex) const {
-    if (!chooses_by_tree_ || camera.length() == 1 || vertex.connection == 0) return 1;
+    if (!chooses_by_receiver_ || camera.length() == 1 || vertex.connection == 0) return 1;
     return camera_rule().power(choice_ratio(light_index, path.receiver()));
   }
   // The sum of the camera side of a light sample.
   float relative_to_light_sample(float sum, const LightSample& sample) const {
-    if (!chooses_by_tree_) return sum;
+    if (!chooses_by_receiver_) return sum;
     return MisRule::product(sum, camera_rule().power(lights().emission_probability(sample.light) / sample.choice));
   }
 
@@ -455,7 +455,7 @@ class BidirectionalSubpaths {
   PerPath<float> inverse_probability_;                // of the sampled technique
   float pixels_ = 1;                                  // area of the image in pixels
   float merge_density_ = 0;                           // 0 if vertices are not merged
-  bool chooses_by_tree_ = false;                      // light samples use the light tree
+  bool chooses_by_receiver_ = false;                  // the choice of light samples depends on the receiver
   PerPath<uint32_t> start_lights_;                    // of the light subpaths
   VertexPool<M> pool_;
   PerPath<const Vertex*> last_light_vertex_;

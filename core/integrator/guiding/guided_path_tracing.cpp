@@ -34,6 +34,7 @@
 #include "integrator/guiding/guided_sampling.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "integrator/shared/light_learning.h"
 
 namespace etendue::integrator {
 
@@ -57,7 +58,7 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
     };
   }
 
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLearnedLightsDoc};
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
                              2,
@@ -108,6 +109,7 @@ class GuidedState final : public RenderState {
   GuidedState(const GuidedPathTracing& integrator, const RenderContext& context)
       : integrator_(integrator),
         context_(context),
+        learned_(learn_light_choice(context, light_sampling(), integrator.max_depth)),
         columns_((context.width + PixelBlock::kWidth - 1) / PixelBlock::kWidth),
         blocks_(static_cast<size_t>(columns_ * ((context.height + PixelBlock::kHeight - 1) / PixelBlock::kHeight))),
         progress_{initial_guide(integrator, *context.scene)} {}
@@ -250,7 +252,7 @@ class GuidedState final : public RenderState {
   void estimate(transport::PathWavefront<M>& paths, guiding::PathRecords<M>& records) const {
     using namespace transport;
     constexpr MisHeuristic kHeuristic = MisHeuristic::power;
-    const auto sampling = LightSampling::compensated(integrator_.lights);
+    const auto sampling = light_sampling().with(learned_.get());
     guiding::GuidedSampling<M> guided(paths, progress_.guide, records);
     while (paths.trace()) {
       records.separate_direct_light(paths);
@@ -265,8 +267,11 @@ class GuidedState final : public RenderState {
     }
   }
 
+  LightSampling light_sampling() const { return LightSampling::compensated(integrator_.lights); }
+
   const GuidedPathTracing& integrator_;
   const RenderContext context_;
+  const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   const int columns_;
   std::vector<BlockRecords> blocks_;  // of the recorded sample
   Progress progress_;

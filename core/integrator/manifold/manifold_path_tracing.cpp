@@ -27,6 +27,7 @@
 #include "integrator/manifold/manifold_light.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "integrator/shared/light_learning.h"
 
 namespace etendue::integrator {
 
@@ -47,6 +48,7 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
             "Mirrors and glass with normal maps, opacity or motion are passed as in path tracing, as is all glass "
             "where the environment has nine tenths of the power.",
         .accumulation = Accumulation::per_pixel,
+        .same_without_specular = "path",
     };
   }
 
@@ -82,11 +84,13 @@ class ManifoldPathTracing final : public IntegratorBase<ManifoldPathTracing> {
 namespace {
 
 class ManifoldState final : public RenderState {
+  static constexpr LightSampling kSampling = LightSampling::compensated(LightStrategy::automatic);
+
   // Returns the number of rays that walks have traced. Clang 16 does not instantiate it if it is defined after its use.
   template <class M>
   uint64_t estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const auto sampling = LightSampling::compensated(LightStrategy::automatic);
+    const auto sampling = kSampling.with(learned_.get());
     constexpr MisHeuristic mis = MisHeuristic::power;
     manifold::ManifoldLight<M> chains(paths, casters_, targets_, integrator_.max_chain, integrator_.max_depth);
     while (paths.trace()) {
@@ -109,7 +113,11 @@ class ManifoldState final : public RenderState {
 
  public:
   ManifoldState(const ManifoldPathTracing& integrator, const RenderContext& context)
-      : integrator_(integrator), context_(context), casters_(*context.scene), targets_(*context.scene) {}
+      : integrator_(integrator),
+        context_(context),
+        learned_(learn_light_choice(context, kSampling, integrator.max_depth)),
+        casters_(*context.scene),
+        targets_(*context.scene) {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
@@ -130,6 +138,7 @@ class ManifoldState final : public RenderState {
  private:
   const ManifoldPathTracing& integrator_;
   const RenderContext context_;
+  const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   const manifold::SpecularCasters casters_;
   const manifold::ChainTargets targets_;
 };

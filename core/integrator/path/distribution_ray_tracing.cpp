@@ -90,11 +90,11 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   }
 
   template <class M>
-  void estimate(transport::PathWavefront<M>& paths) const {
+  void estimate(transport::PathWavefront<M>& paths, LightSampling sampling) const {
     if (shadow_rays)
-      estimate_with(paths, transport::Combination(direct_light_mis()));
+      estimate_with(paths, transport::Combination(direct_light_mis()), sampling);
     else
-      estimate_with(paths, transport::Combination());
+      estimate_with(paths, transport::Combination(), sampling);
   }
 
  private:
@@ -107,10 +107,10 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   }
 
   template <class M>
-  void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination) const {
+  void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination,
+                     LightSampling sampling) const {
     using namespace transport;
     auto& tree = BranchingPaths<M>::on(paths);
-    const auto sampling = light_sampling();
     MediumLight<M> media(paths, combination);
     while (tree.trace()) {
       const int branches = branches_at(paths.length());

@@ -5,6 +5,7 @@
 
 #include "film/invalid_samples.h"
 #include "integrator/path/path_tracing_parameters.h"
+#include "integrator/shared/light_learning.h"
 #include "transport/wavefront/equiangular_light.h"
 #include "transport/wavefront/medium_light.h"
 #include "transport/wavefront/subsurface_scattering.h"
@@ -130,26 +131,31 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
   class Blocks final : public RenderState {
    public:
     Blocks(const LayeredPathTracing& integrator, const RenderContext& context)
-        : integrator_(integrator), context_(context) {}
+        : integrator_(integrator),
+          context_(context),
+          learned_(learn_light_choice(context, integrator.light_sampling(), integrator.max_depth)) {}
 
     std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                    const TaskContext& task_context) override {
-      return integrator_.sample(context_, block, radiance, task_context);
+      const auto sampling = integrator_.light_sampling().with(learned_.get());
+      return integrator_.sample(context_, sampling, block, radiance, task_context);
     }
 
    private:
     const LayeredPathTracing& integrator_;
     const RenderContext context_;
+    const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   };
 
-  std::optional<uint64_t> sample(const RenderContext& context, const PixelBlock& block, std::span<Rgb> radiance,
-                                 const TaskContext& task_context) const {
-    if (context.model->spectral) return sample_in<transport::Spectral>(context, block, radiance, task_context);
-    return sample_in<transport::ScatteringMedia<true>>(context, block, radiance, task_context);
+  std::optional<uint64_t> sample(const RenderContext& context, LightSampling sampling, const PixelBlock& block,
+                                 std::span<Rgb> radiance, const TaskContext& task_context) const {
+    if (context.model->spectral)
+      return sample_in<transport::Spectral>(context, sampling, block, radiance, task_context);
+    return sample_in<transport::ScatteringMedia<true>>(context, sampling, block, radiance, task_context);
   }
 
   template <class M>
-  std::optional<uint64_t> sample_in(const RenderContext& given_context, const PixelBlock& block,
+  std::optional<uint64_t> sample_in(const RenderContext& given_context, LightSampling sampling, const PixelBlock& block,
                                     std::span<Rgb> radiance, const TaskContext& task_context) const {
     // The wavefront follows all paths; the collector takes the shares of classes.
     transport::Model model = *given_context.model;
@@ -163,7 +169,7 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
     launch_camera_paths(context, block, order, task_context, paths);
     paths.stratify_channels();
     collector->begin(recording_, paths);
-    estimate(paths, *collector);
+    estimate(paths, sampling, *collector);
     if (paths.cancelled()) return {};
     std::vector<Rgb> values(recording_.layers().size() * PixelBlock::kMostPixels, Rgb(0));
     for (int i = 0; i < paths.size(); ++i) {
@@ -177,9 +183,8 @@ class LayeredPathTracing final : public IntegratorBase<LayeredPathTracing>, publ
 
   // The estimators of path tracing, whose connections are resolved at once.
   template <class M>
-  void estimate(PathWavefront<M>& paths, LayerCollector<M>& collector) const {
+  void estimate(PathWavefront<M>& paths, LightSampling sampling, LayerCollector<M>& collector) const {
     using namespace transport;
-    const auto sampling = light_sampling();
     const Combination combination = samples_lights_ ? Combination(mis()) : Combination();
     // The direction of a light sample in an emitting medium is not known here, so with classes only paths find them.
     MediumLight<M> media(paths, recording_.has_classes() ? Combination() : combination);

@@ -53,11 +53,10 @@ class PathTracing final : public CameraPathIntegrator<PathTracing>, public PathT
   auto parameters() { return std::tuple_cat(std::tie(max_depth), path_parameters()); }
 
   template <class M>
-  void estimate(transport::PathWavefront<M>& paths) const {
+  void estimate(transport::PathWavefront<M>& paths, LightSampling sampling) const {
     using namespace transport;
     if constexpr (M::kScattering)
-      if (equiangular) return estimate_with_equiangular_light(paths);
-    const auto sampling = light_sampling();
+      if (equiangular) return estimate_with_equiangular_light(paths, sampling);
     const Combination combination = mis();
     MediumLight<M> media(paths, combination);
     while (paths.trace()) {
@@ -77,9 +76,8 @@ class PathTracing final : public CameraPathIntegrator<PathTracing>, public PathT
 
  private:
   template <class M>
-  void estimate_with_equiangular_light(transport::PathWavefront<M>& paths) const {
+  void estimate_with_equiangular_light(transport::PathWavefront<M>& paths, LightSampling sampling) const {
     using namespace transport;
-    const auto sampling = light_sampling();
     const Combination combination = mis();
     EquiangularLight<M> segments(paths, sampling, *combination);
     MediumLight<M> media(paths, combination);

@@ -4,9 +4,13 @@
 // which traces the paths and adds their contributions to their radiance. If `estimate` is correct at vertices in
 // scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its
 // IntegratorInfo; likewise `kSpectral` if it supports spectral rendering besides.
+//
+// With `LightSampling light_sampling() const`, Derived learns how to choose lights: `estimate` has this sampling, with
+// learned probabilities, as its second argument.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/camera_paths.h"
+#include "integrator/shared/light_learning.h"
 #include "transport/wavefront/path_estimators.h"
 
 namespace etendue::integrator {
@@ -23,7 +27,11 @@ inline std::string incompatibility_with_point_lights(const RenderContext& contex
 // Description of the parameter `lights` (LightStrategy).
 inline constexpr const char* kLightsDoc =
     "every: samples all lights; no selection noise, cost grows with their number. one: constant cost. tree: favours "
-    "nearby lights";
+    "nearby lights. auto: the tree from eight lights on";
+// The same for integrators that learn how to choose lights.
+inline constexpr const char* kLearnedLightsDoc =
+    "every: samples all lights; no selection noise, cost grows with their number. one: constant cost. tree: favours "
+    "nearby lights. auto: learned choices between groups of lights, and the tree from eight lights on";
 
 template <class Derived>
 class CameraPathIntegrator : public IntegratorBase<Derived> {
@@ -36,7 +44,9 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
   // Renders blocks independently of each other.
   class Blocks final : public RenderState {
    public:
-    Blocks(const Derived& integrator, const RenderContext& context) : integrator_(integrator), context_(context) {}
+    Blocks(const Derived& integrator, const RenderContext& context) : integrator_(integrator), context_(context) {
+      if constexpr (kLearns) learned_ = learn_light_choice(context, integrator.light_sampling(), integrator.max_depth);
+    }
 
     std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                    const TaskContext& task_context) override {
@@ -45,7 +55,7 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         const PixelOrder order(block);
         launch_camera_paths(context_, block, order, task_context, paths);
         paths.stratify_channels();
-        integrator_.template estimate<M>(paths);
+        estimate(paths);
         if (task_context.recorder) task_context.recorder->collect(paths.size());
         if (task_context.spectra) append_spectra(paths, *task_context.spectra);
         return collect(paths, order, radiance);
@@ -59,8 +69,20 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
     }
 
    private:
+    static constexpr bool kLearns = requires(const Derived& d) { d.light_sampling(); };
+
+    template <class M>
+    void estimate(transport::PathWavefront<M>& paths) const {
+      if constexpr (kLearns) {
+        integrator_.template estimate<M>(paths, integrator_.light_sampling().with(learned_.get()));
+      } else {
+        integrator_.template estimate<M>(paths);
+      }
+    }
+
     const Derived& integrator_;
     const RenderContext context_;
+    std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   };
 };
 

@@ -22,7 +22,7 @@ struct DirectLightParameters {
                       {0.25f, 16},
                       "Exponent of the heuristic power. Raising it favours the technique with the larger density; 1 is "
                       "balance"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLearnedLightsDoc};
 
   transport::DirectLightMis direct_light_mis(int light_samples = 1) const {
     transport::DirectLightMis mis(heuristic.value);

@@ -36,12 +36,15 @@ struct LightQueries {
   LightReceiver receiver(size_t i) const { return {from[i], normals ? normals[i] : PackedNormal()}; }
 };
 
+class LearnedLightChoice;
+
 // How lights are chosen for a receiver.
 //
 //   one           one light, with probability proportional to its power
 //   every         each light: the sum over lights [Lang, eq. 8.19, corrected]
 //   tree          one light, by the light tree: proportional to a bound of its contribution at the receiver
-//   automatic     `tree` or `one`, whichever suits the scene (light_selector.h)
+//   automatic     `tree` or `one`, whichever suits the scene (light_selector.h), or a group of lights with learned
+//                 probabilities and a light of it
 //   emission_pdf  one light by power and a point uniform over its area, as `LightTable::sample_emission` does
 //   emission_auto one light as by `automatic`, and a point uniform over its area
 //
@@ -60,11 +63,19 @@ constexpr bool samples_as_emission(LightStrategy strategy) {
 struct LightSampling {
   LightStrategy strategy = LightStrategy::automatic;
   bool is_compensated = false;  // every direction of the environment is found by BSDF samples as well
+  // Probabilities of the groups of these lights, with the same compensation, for the strategies `automatic` and
+  // `emission_auto`; null: none.
+  const LearnedLightChoice* learned = nullptr;
 
   constexpr LightSampling(LightStrategy chosen) : strategy(chosen) {}  // NOLINT: a strategy alone
   static constexpr LightSampling compensated(LightStrategy chosen) {
     LightSampling sampling(chosen);
     sampling.is_compensated = true;
+    return sampling;
+  }
+  constexpr LightSampling with(const LearnedLightChoice* choice) const {
+    LightSampling sampling(*this);
+    sampling.learned = choice;
     return sampling;
   }
 };
@@ -77,5 +88,5 @@ struct etendue::Options<etendue::LightStrategy> {
   static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, proportional to power"},
                                                             {"every", "All"},
                                                             {"tree", "One, by the light tree"},
-                                                            {"auto", "Automatic (tree from 8)"}}};
+                                                            {"auto", "Automatic"}}};
 };

@@ -1,5 +1,7 @@
 #include "light/sampling/light_selector.h"
 
+#include "light/sampling/learned_light_choice.h"
+
 namespace etendue {
 namespace {
 
@@ -30,6 +32,7 @@ LightSelector::LightSelector(std::span<const SelectableLight> lights, std::share
   by_power_ = AliasTable(powers);
   find_sources(lights);
   build_tree(lights);
+  find_groups(lights);
 }
 
 void LightSelector::find_sources(std::span<const SelectableLight> lights) {
@@ -72,6 +75,47 @@ void LightSelector::build_tree(std::span<const SelectableLight> lights) {
   if (!(infinite_power > 0)) return;
   infinite_by_power_ = AliasTable(infinite_powers);
   infinite_share_ = tree_->empty() ? 1 : std::clamp(infinite_power / all_power, kMinShare, 1 - kMinShare);
+}
+
+void LightSelector::find_groups(std::span<const SelectableLight> lights) {
+  group_of_.resize(lights.size());
+  for (uint32_t s = 0; s < sources_.size() && groups_.size() <= kMostGroups; ++s) {
+    const Source& source = sources_[s];
+    const bool in_tree = tree_pays_ && !lights[source.first].is_infinite;
+    const auto same = in_tree ? std::ranges::find(groups_, kTreeGroup) : groups_.end();
+    const auto group = static_cast<uint8_t>(same - groups_.begin());
+    if (same == groups_.end()) groups_.push_back(in_tree ? kTreeGroup : s);
+    std::fill_n(group_of_.begin() + source.first, source.count, group);
+  }
+  if (groups_.size() > kMostGroups) groups_.clear(), group_of_.clear();
+}
+
+LightSelector::Choice LightSelector::choose_in_group(size_t group, const LightReceiver& from, float u) const {
+  return groups_[group] == kTreeGroup ? tree_->choose(from, u) : choose_in_source(groups_[group], u);
+}
+
+LightSelector::Choice LightSelector::choose_by_group(const LearnedLightChoice& learned, const LightReceiver& from,
+                                                     float u) const {
+  if (u < kPowerShare) {
+    const Choice choice = by_power_.sample(u / kPowerShare);
+    return {choice.index, choice.probability > 0 ? probability_by_group(learned, choice.index, from) : 0};
+  }
+  const auto group = learned.choose(from.position, std::min((u - kPowerShare) / (1 - kPowerShare), kOneMinusEpsilon));
+  Choice choice = choose_in_group(group.index, from, group.rest);
+  if (choice.probability > 0)
+    choice.probability =
+        (1 - kPowerShare) * group.probability * choice.probability + kPowerShare * by_power_.probability(choice.index);
+  return choice;
+}
+
+float LightSelector::probability_by_group(const LearnedLightChoice& learned, uint32_t light,
+                                          const LightReceiver& from) const {
+  const float power = by_power_.probability(light);
+  if (!(power > 0)) return 0;
+  const size_t group = group_of_[light];
+  const float within =
+      groups_[group] == kTreeGroup ? tree_->probability(light, from) : power / sources_[groups_[group]].probability;
+  return (1 - kPowerShare) * learned.probability(group, from.position) * within + kPowerShare * power;
 }
 
 LightSelector::Choice LightSelector::choose_by_tree(const LightReceiver& from, float u) const {

@@ -4,7 +4,7 @@
 // chooses among lights with a position by their contribution bound at the receiver. Lights without a position
 // (directional, ambient, environment) share a fixed part of the choices by power. A small part of all choices is by
 // power, since the bound ignores occlusion: a strong light behind a wall would otherwise suppress the lights on this
-// side.
+// side. If probabilities of groups of lights have been learned (learned_light_choice.h), a group is chosen first.
 #pragma once
 #include <memory>
 #include <span>
@@ -51,11 +51,22 @@ class LightSelector {
   size_t source_count() const { return sources_.size(); }
   Choice choose_in_source(size_t source, float u) const;
 
+  // Groups have learned probabilities: the lights of the tree together if it pays, otherwise each source; lights without a
+  // position by themselves. None if there are too many of them.
+  size_t group_count() const { return groups_.size(); }
+  // The probability is that within the group.
+  Choice choose_in_group(size_t group, const LightReceiver& from, float u) const;
+  Choice choose_by_group(const LearnedLightChoice& learned, const LightReceiver& from, float u) const;
+  float probability_by_group(const LearnedLightChoice& learned, uint32_t light, const LightReceiver& from) const;
+
   // The probability of a light from a receiver; of LightStrategy::every within its source.
   float probability(uint32_t light, const LightReceiver& from, LightStrategy strategy) const;
   float probability_by_power(uint32_t light) const { return by_power_.probability(light); }
 
  private:
+  static constexpr uint32_t kTreeGroup = 0xffffffffU;
+  static constexpr size_t kMostGroups = 16;
+
   struct Source {
     uint32_t first, count;
     float probability;  // of choosing one of its lights by power
@@ -64,6 +75,7 @@ class LightSelector {
   void find_sources(std::span<const SelectableLight> lights);
   LightSelector(std::span<const SelectableLight> lights, std::shared_ptr<const LightTree> tree);
   void build_tree(std::span<const SelectableLight> lights);
+  void find_groups(std::span<const SelectableLight> lights);
   const Source& source_of(uint32_t light) const;
   float probability_by_tree(uint32_t light, const LightReceiver& from) const;
   float probability_of_infinite(size_t index) const;
@@ -77,6 +89,9 @@ class LightSelector {
   AliasTable infinite_by_power_;
   float infinite_share_ = 0;
   bool tree_pays_ = false;
+
+  std::vector<uint32_t> groups_;   // numbers of sources, or kTreeGroup
+  std::vector<uint8_t> group_of_;  // of each light; empty without groups
 };
 
 }  // namespace etendue

@@ -78,7 +78,11 @@ const PlacedLight* LightTable::placed_at(uint32_t light) const {
 
 void LightTable::sample(const LightQueries& queries, LightSample* samples, LightSampling sampling) const {
   const LightSelector& lights = selector(sampling);
-  if (lights.uses_tree(sampling.strategy))
+  if (sampling.learned)
+    sample_chosen(queries, samples, sampling, [&](size_t i) {
+      return lights.choose_by_group(*sampling.learned, queries.receiver(i), queries.choice[i]);
+    });
+  else if (lights.uses_tree(sampling.strategy))
     sample_chosen(queries, samples, sampling,
                   [&](size_t i) { return lights.choose_by_tree(queries.receiver(i), queries.choice[i]); });
   else
@@ -90,6 +94,13 @@ void LightTable::sample_source(size_t source, const LightQueries& queries, Light
   const LightSelector& lights = selector(sampling);
   sample_chosen(queries, samples, sampling,
                 [&](size_t i) { return lights.choose_in_source(source, queries.choice[i]); });
+}
+
+void LightTable::sample_group(size_t group, const LightQueries& queries, LightSample* samples,
+                              LightSampling sampling) const {
+  const LightSelector& lights = selector(sampling);
+  sample_chosen(queries, samples, sampling,
+                [&](size_t i) { return lights.choose_in_group(group, queries.receiver(i), queries.choice[i]); });
 }
 
 template <class Choose>
@@ -216,7 +227,7 @@ EnvironmentMap::Value LightTable::environment_value(const Vec3& from, const Vec3
     const float through = portals_.probability(from);
     pdf = (1 - through) * pdf + (through > 0 ? through * portals_.pdf(from, direction) : 0);
   }
-  if (pdf > 0) pdf *= probability(environment_number(), Vec3(0), sampling);
+  if (pdf > 0) pdf *= probability(environment_number(), from, sampling);
   return value;
 }
 

@@ -63,6 +63,11 @@ class LightTable {
   void sample_source(size_t source, const LightQueries& queries, LightSample* samples,
                      LightSampling sampling = LightStrategy::every) const;
 
+  // Groups of lights that learned probabilities are for. As `sample`, from one of them: the pdf does not include the
+  // choice of the group.
+  size_t group_count(LightSampling sampling) const { return selector(sampling).group_count(); }
+  void sample_group(size_t group, const LightQueries& queries, LightSample* samples, LightSampling sampling) const;
+
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a
   // point of an area light, or to the environment, which portals sample by position. Of LightStrategy::every they are
   // those of the light's source.
@@ -73,6 +78,7 @@ class LightTable {
   EnvironmentMap::Value environment_value(const Vec3& from, const Vec3& direction, LightSampling sampling) const;
   // The probability of choosing a light.
   float probability(uint32_t light, const LightReceiver& from, LightSampling sampling) const {
+    if (sampling.learned) return selector(sampling).probability_by_group(*sampling.learned, light, from);
     return selector(sampling).probability(light, from, sampling.strategy);
   }
   // The probability of a light as the start of an emitted ray.

@@ -236,10 +236,10 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
 
 // Next event estimation with one light sample per hit, by a strategy that selects a single light.
 template <class M, class Weigh, class Selected = EveryHit>
-void add_direct_light_weighted(PathWavefront<M>& paths, LightStrategy strategy, Shadows shadows, Weigh&& weigh,
+void add_direct_light_weighted(PathWavefront<M>& paths, LightSampling sampling, Shadows shadows, Weigh&& weigh,
                                const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(strategy), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(sampling), shadows, weigh, selected);
 }
 
 // Samples on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]

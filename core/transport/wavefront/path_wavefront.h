@@ -195,12 +195,7 @@ class PathWavefront {
 
   // One light sample per current hit, by a strategy that selects a single light.
   std::span<const LightSample> sample_lights(LightSampling sampling) {
-    LightQueries queries = draw_lights();
-    if (scene_->lights().uses_normals(sampling)) {
-      for (int i = 0; i < hit_count_; ++i) normals_[static_cast<size_t>(i)] = receiver_normal(point(i), wo(i));
-      queries.normals = normals_.data();
-    }
-    scene_->lights().sample(queries, light_samples_.data(), sampling);
+    scene_->lights().sample(light_queries(sampling), light_samples_.data(), sampling);
     return light_samples_;
   }
   // Selects the random number stream of one of several light samples of the current vertices; the first has the stream
@@ -211,12 +206,17 @@ class PathWavefront {
   // One sample of the given source of the light table per current hit, with the random numbers of this light stream.
   std::span<const LightSample> sample_source(size_t source, LightSampling sampling, size_t stream) {
     select_light_stream(stream);
-    scene_->lights().sample_source(source, draw_lights(), light_samples_.data(), sampling);
+    scene_->lights().sample_source(source, light_queries(sampling), light_samples_.data(), sampling);
+    return light_samples_;
+  }
+  // The same of a group of lights (LightTable::group_count).
+  std::span<const LightSample> sample_group(size_t group, LightSampling sampling, size_t stream) {
+    select_light_stream(stream);
+    scene_->lights().sample_group(group, light_queries(sampling), light_samples_.data(), sampling);
     return light_samples_;
   }
 
-  // A current hit as a receiver of light: with a normal if its light was sampled by a strategy that uses normals. To be
-  // called after `sample_lights`.
+  // A current hit as a receiver of light, after `sample_lights`: with a normal if the strategy uses normals.
   LightReceiver receiver(int hit) const { return {point(hit).position, normals_[static_cast<size_t>(hit)]}; }
 
   // The paths that left the scene in the last `trace`.
@@ -360,7 +360,11 @@ class PathWavefront {
     return sampler_->blocks(pixel_seeds, sample_, block, wanted, random_);
   }
 
-  LightQueries draw_lights() {
+  // With the normals of receivers if the choice of a light depends on them.
+  LightQueries light_queries(LightSampling sampling) {
+    const bool uses_normals = scene_->lights().uses_normals(sampling);
+    for (int i = 0; uses_normals && i < hit_count_; ++i)
+      normals_[static_cast<size_t>(i)] = receiver_normal(point(i), wo(i));
     draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
     const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
     return {positions_,
@@ -368,7 +372,8 @@ class PathWavefront {
             numbers(vertex_dimension::kLightPoint),
             numbers(vertex_dimension::kLightPoint + 1),
             static_cast<size_t>(hit_count_),
-            times_of_arrivals()};
+            times_of_arrivals(),
+            uses_normals ? normals_.data() : nullptr};
   }
 
   // Sets the seeds of stochastic opacity of rays, if the scene has any.

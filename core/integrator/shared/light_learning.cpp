@@ -1,0 +1,142 @@
+#include "integrator/shared/light_learning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrator/shared/camera_paths.h"
+#include "light/sampling/learned_light_choice.h"
+#include "transport/wavefront/path_estimators.h"
+#include "transport/wavefront/subsurface_scattering.h"
+
+namespace etendue::integrator {
+namespace {
+
+using Model = transport::ScatteringMedia<false>;
+using Paths = transport::PathWavefront<Model>;
+
+// Paths are spread over the image in this number of columns and rows.
+constexpr int kColumns = 32, kRows = 16;
+static_assert(kColumns * kRows <= Paths::kCapacity);
+// Samples at each vertex, of all groups together and of each: with one sample, a rare large contribution would be all light
+// of its receiver.
+constexpr size_t kSamples = 12, kMostSamplesOfAGroup = 4;
+constexpr int kRouletteStart = 4;
+constexpr uint64_t kSeed = 0x6c69676874;
+
+void launch_paths(const RenderContext& context, const Sampler& sampler, Paths& paths) {
+  paths.begin(*context.scene, sampler, 0, nullptr, context.model->moving);
+  const PixelSeeds seed_of(sampler, mix_bits(context.seed ^ kSeed), 0);
+  for (int i = 0; i < kColumns * kRows; ++i) paths.add(seed_of(i % kColumns, i / kColumns));
+  SampleTable& random =
+      paths.draw_start(dimensions(camera_dimension::kPixel, 2) | dimensions(camera_dimension::kLens, 2) |
+                       dimensions(camera_dimension::kTime, 1));
+  auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
+  const auto& times = random.values[camera_dimension::kTime];
+  const float width = static_cast<float>(context.width) / kColumns, height = static_cast<float>(context.height) / kRows;
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    const auto path = static_cast<size_t>(i);
+    x[path] = (x[path] + static_cast<float>(i % kColumns)) * width;
+    y[path] = (y[path] + static_cast<float>(i / kColumns)) * height;
+  }
+  std::array<Ray, Paths::kCapacity> rays;
+  context.camera->rays(
+      {x.data(), y.data()},
+      {random.values[camera_dimension::kLens].data(), random.values[camera_dimension::kLens + 1].data()},
+      context.model->moving ? times.data() : nullptr, kColumns * kRows, rays.data());
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    const auto path = static_cast<size_t>(i);
+    const float time = context.model->moving ? times[path] : 0;
+    paths.launch(i, rays[path], medium_at_camera<Model>(context, rays[path], time), time);
+  }
+  paths.stratify_channels();
+}
+
+// Adds one sample of the contribution of a group to each current hit. The radiance of the paths is lost.
+void add_samples(Paths& paths, std::span<const LightSample> samples, size_t group, size_t first_receiver,
+                 LightContributions& contributions) {
+  using namespace transport;
+  const auto uniform = 1 / static_cast<float>(contributions.groups);
+  std::array<float, Paths::kHitsAtATime> weights{};
+  for (int i = 0; i < paths.hit_count(); ++i) paths.state_at(i).radiance = Rgb(0);
+  add_light_samples_weighted(
+      paths, samples, Shadows::cast, [&](int i, const LightSample& light, const auto& scattered) {
+        weights[static_cast<size_t>(i)] =
+            light.delta ? 1 : mis_weight(MisHeuristic::power, uniform * light.pdf, scattered.pdf);
+        return 1 / light.pdf;
+      });
+  paths.reserve_connections(Paths::kCapacity);  // traces the shadow rays
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    const float value = luminance(paths.state_at(i).radiance) / luminance(paths.state_at(i).throughput);
+    if (!(value > 0) || !std::isfinite(sqr(value))) continue;
+    auto& moments = contributions.moments[(first_receiver + static_cast<size_t>(i)) * contributions.groups + group];
+    moments.mean += value;
+    moments.square += sqr(value * weights[static_cast<size_t>(i)]);
+  }
+}
+
+// The receiver at the last vertex of each path, and the throughput there.
+struct LastVertex {
+  size_t receiver;
+  float throughput;
+};
+using LastVertices = std::array<LastVertex, Paths::kCapacity>;
+
+void add_contributions(Paths& paths, LightSampling sampling, LightContributions& contributions, LastVertices& last) {
+  const size_t first = contributions.receivers.size();
+  contributions.add_receivers(static_cast<size_t>(paths.hit_count()));
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    const size_t receiver = first + static_cast<size_t>(i);
+    contributions.receivers[receiver] = paths.point(i).position;
+    last[static_cast<size_t>(paths.path_at(i))] = {receiver, luminance(paths.state_at(i).throughput)};
+  }
+  const size_t samples = std::clamp<size_t>(kSamples / contributions.groups, 1, kMostSamplesOfAGroup);
+  for (size_t group = 0; group < contributions.groups; ++group)
+    for (size_t k = 0; k < samples; ++k)
+      add_samples(paths, paths.sample_group(group, sampling, group * samples + k), group, first, contributions);
+  const auto weight = 1 / static_cast<float>(samples);
+  for (size_t i = first * contributions.groups; i < contributions.moments.size(); ++i)
+    contributions.moments[i].mean *= weight, contributions.moments[i].square *= weight;
+  paths.select_rng_stream(0);
+}
+
+// Adds the light of the environment that light samples leave out and that paths have found as they left the scene.
+void add_environment_of_misses(Paths& paths, LightSampling sampling, const LastVertices& last,
+                               LightContributions& contributions) {
+  if (paths.length() == 1) return;
+  for (int i = 0; i < paths.miss_count(); ++i) {
+    const auto& path = paths.missed_path(i);
+    const auto value = paths.scene().lights().environment_value(path.from, paths.miss_direction(i), sampling);
+    if (value.pdf_solid_angle > 0) continue;
+    const LastVertex& vertex = last[static_cast<size_t>(paths.path_of_miss(i))];
+    const float light = luminance(path.throughput * value.radiance) / vertex.throughput;
+    if (std::isfinite(sqr(light))) contributions.others[vertex.receiver] += light;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LearnedLightChoice> learn_light_choice(const RenderContext& context, LightSampling sampling,
+                                                             int max_depth) {
+  using namespace transport;
+  const size_t groups = context.scene->lights().group_count(sampling);
+  const bool learns =
+      sampling.strategy == LightStrategy::automatic || sampling.strategy == LightStrategy::emission_auto;
+  if (!learns || groups < 2) return nullptr;
+  LightContributions contributions(groups);
+  const auto sampler = make_sampler("random");
+  Paths& paths = thread_wavefront<Model>();
+  LastVertices last{};
+  launch_paths(context, *sampler, paths);
+  while (paths.trace()) {
+    add_environment_of_misses(paths, sampling, last, contributions);
+    while (paths.next_hits()) {
+      if (max_depth > 0 && paths.length() >= max_depth) continue;
+      scatter_below_surface(paths);
+      add_contributions(paths, sampling, contributions, last);
+      sample_bsdf(paths, kRouletteStart);
+    }
+  }
+  return std::make_shared<const LearnedLightChoice>(contributions);
+}
+
+}  // namespace etendue::integrator
