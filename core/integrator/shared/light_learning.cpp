@@ -20,6 +20,9 @@ static_assert(kColumns * kRows <= Paths::kCapacity);
 // Samples at each vertex, of all groups together and of each: with one sample, a rare large contribution would be all light
 // of its receiver.
 constexpr size_t kSamples = 12, kMostSamplesOfAGroup = 4;
+// Learned choices have to reduce the mean square of light samples by this factor. They break up the order of the random
+// numbers, and take a few nanoseconds.
+constexpr double kLeastGain = 2;
 constexpr int kRouletteStart = 4;
 constexpr uint64_t kSeed = 0x6c69676874;
 
@@ -56,60 +59,65 @@ void add_samples(Paths& paths, std::span<const LightSample> samples, size_t grou
                  LightContributions& contributions) {
   using namespace transport;
   const auto uniform = 1 / static_cast<float>(contributions.groups);
-  std::array<float, Paths::kHitsAtATime> weights{};
+  struct Densities {
+    float weight, ratio;  // the MIS weight; p_b / p_l
+  };
+  std::array<Densities, Paths::kHitsAtATime> densities{};
   for (int i = 0; i < paths.hit_count(); ++i) paths.state_at(i).radiance = Rgb(0);
   add_light_samples_weighted(
       paths, samples, Shadows::cast, [&](int i, const LightSample& light, const auto& scattered) {
-        weights[static_cast<size_t>(i)] =
-            light.delta ? 1 : mis_weight(MisHeuristic::power, uniform * light.pdf, scattered.pdf);
+        if (light.delta)
+          densities[static_cast<size_t>(i)] = {1, 0};
+        else
+          densities[static_cast<size_t>(i)] = {mis_weight(MisHeuristic::power, uniform * light.pdf, scattered.pdf),
+                                               scattered.pdf / light.pdf};
         return 1 / light.pdf;
       });
   paths.reserve_connections(Paths::kCapacity);  // traces the shadow rays
   for (int i = 0; i < paths.hit_count(); ++i) {
-    const float value = luminance(paths.state_at(i).radiance) / luminance(paths.state_at(i).throughput);
+    const float value = luminance(paths.state_at(i).radiance);
     if (!(value > 0) || !std::isfinite(sqr(value))) continue;
     auto& moments = contributions.moments[(first_receiver + static_cast<size_t>(i)) * contributions.groups + group];
+    const auto [weight, ratio] = densities[static_cast<size_t>(i)];
     moments.mean += value;
-    moments.square += sqr(value * weights[static_cast<size_t>(i)]);
+    moments.square += sqr(value);
+    moments.weighted += sqr(value * weight);
+    moments.by_bsdf += sqr(value) * ratio;
   }
 }
 
-// The receiver at the last vertex of each path, and the throughput there.
-struct LastVertex {
-  size_t receiver;
-  float throughput;
-};
-using LastVertices = std::array<LastVertex, Paths::kCapacity>;
+// By path, the receiver at its last vertex.
+using LastReceivers = std::array<size_t, Paths::kCapacity>;
 
-void add_contributions(Paths& paths, LightSampling sampling, LightContributions& contributions, LastVertices& last) {
+void add_contributions(Paths& paths, LightSampling sampling, LightContributions& contributions, LastReceivers& last) {
   const size_t first = contributions.receivers.size();
-  contributions.add_receivers(static_cast<size_t>(paths.hit_count()));
   for (int i = 0; i < paths.hit_count(); ++i) {
-    const size_t receiver = first + static_cast<size_t>(i);
-    contributions.receivers[receiver] = paths.point(i).position;
-    last[static_cast<size_t>(paths.path_at(i))] = {receiver, luminance(paths.state_at(i).throughput)};
+    const int path = paths.path_at(i);
+    last[static_cast<size_t>(path)] = contributions.add_receiver(paths.point(i).position, static_cast<uint32_t>(path));
   }
   const size_t samples = std::clamp<size_t>(kSamples / contributions.groups, 1, kMostSamplesOfAGroup);
   for (size_t group = 0; group < contributions.groups; ++group)
     for (size_t k = 0; k < samples; ++k)
       add_samples(paths, paths.sample_group(group, sampling, group * samples + k), group, first, contributions);
   const auto weight = 1 / static_cast<float>(samples);
-  for (size_t i = first * contributions.groups; i < contributions.moments.size(); ++i)
-    contributions.moments[i].mean *= weight, contributions.moments[i].square *= weight;
+  for (size_t i = first * contributions.groups; i < contributions.moments.size(); ++i) {
+    auto& m = contributions.moments[i];
+    m = {m.mean * weight, m.square * weight, m.weighted * weight, m.by_bsdf * weight};
+  }
   paths.select_rng_stream(0);
 }
 
 // Adds the light of the environment that light samples leave out and that paths have found as they left the scene.
-void add_environment_of_misses(Paths& paths, LightSampling sampling, const LastVertices& last,
+void add_environment_of_misses(Paths& paths, LightSampling sampling, const LastReceivers& last,
                                LightContributions& contributions) {
   if (paths.length() == 1) return;
   for (int i = 0; i < paths.miss_count(); ++i) {
     const auto& path = paths.missed_path(i);
     const auto value = paths.scene().lights().environment_value(path.from, paths.miss_direction(i), sampling);
     if (value.pdf_solid_angle > 0) continue;
-    const LastVertex& vertex = last[static_cast<size_t>(paths.path_of_miss(i))];
-    const float light = luminance(path.throughput * value.radiance) / vertex.throughput;
-    if (std::isfinite(sqr(light))) contributions.others[vertex.receiver] += light;
+    const float light = luminance(path.throughput * value.radiance);
+    if (std::isfinite(sqr(light)))
+      contributions.receivers[last[static_cast<size_t>(paths.path_of_miss(i))]].others += light;
   }
 }
 
@@ -125,7 +133,7 @@ std::shared_ptr<const LearnedLightChoice> learn_light_choice(const RenderContext
   LightContributions contributions(groups);
   const auto sampler = make_sampler("random");
   Paths& paths = thread_wavefront<Model>();
-  LastVertices last{};
+  LastReceivers last{};
   launch_paths(context, *sampler, paths);
   while (paths.trace()) {
     add_environment_of_misses(paths, sampling, last, contributions);
@@ -136,7 +144,11 @@ std::shared_ptr<const LearnedLightChoice> learn_light_choice(const RenderContext
       sample_bsdf(paths, kRouletteStart);
     }
   }
-  return std::make_shared<const LearnedLightChoice>(contributions);
+  auto learned = std::make_shared<const LearnedLightChoice>(contributions);
+  std::vector<float> usual(groups);
+  for (size_t group = 0; group < groups; ++group)
+    usual[group] = context.scene->lights().usual_probability_of_group(group, sampling);
+  return learned->gain(usual) >= kLeastGain ? learned : nullptr;
 }
 
 }  // namespace etendue::integrator

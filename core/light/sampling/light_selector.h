@@ -52,8 +52,10 @@ class LightSelector {
   Choice choose_in_source(size_t source, float u) const;
 
   // Groups have learned probabilities: the lights of the tree together if it pays, otherwise each source; lights without a
-  // position by themselves. None if there are too many of them.
+  // position by themselves. None if it is one only, or if there are too many of them.
   size_t group_count() const { return groups_.size(); }
+  // Without learned probabilities, averaged over receivers.
+  float usual_probability_of_group(size_t group, LightStrategy strategy) const;
   // The probability is that within the group.
   Choice choose_in_group(size_t group, const LightReceiver& from, float u) const;
   Choice choose_by_group(const LearnedLightChoice& learned, const LightReceiver& from, float u) const;
@@ -90,8 +92,9 @@ class LightSelector {
   float infinite_share_ = 0;
   bool tree_pays_ = false;
 
-  std::vector<uint32_t> groups_;   // numbers of sources, or kTreeGroup
-  std::vector<uint8_t> group_of_;  // of each light; empty without groups
+  std::vector<uint32_t> groups_;             // numbers of sources, or kTreeGroup
+  std::vector<uint8_t> group_of_;            // of each light; empty without groups
+  std::vector<AliasTable> lights_of_group_;  // by power; empty for the tree
 };
 
 }  // namespace etendue

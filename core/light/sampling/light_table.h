@@ -66,6 +66,10 @@ class LightTable {
   // Groups of lights that learned probabilities are for. As `sample`, from one of them: the pdf does not include the
   // choice of the group.
   size_t group_count(LightSampling sampling) const { return selector(sampling).group_count(); }
+  // The probability of a group without learned probabilities, averaged over receivers.
+  float usual_probability_of_group(size_t group, LightSampling sampling) const {
+    return selector(sampling).usual_probability_of_group(group, sampling.strategy);
+  }
   void sample_group(size_t group, const LightQueries& queries, LightSample* samples, LightSampling sampling) const;
 
   // The densities, per solid angle, with which the strategy samples a direction that another technique found: to a

@@ -13,17 +13,18 @@ namespace {
 using test::RandomNumbers;
 using test::Receivers;
 
+// A contribution without variance that BSDF samples do not find.
+LightContributions::Moments certain(float c) { return {c, c * c, c * c, 0}; }
+
 // Receivers on a line along x. Group 0 lights those with x < 0, group 1 the others, with the given amounts.
 LightContributions halves(float left, float right, size_t groups = 2) {
   LightContributions contributions(groups);
-  constexpr size_t kReceivers = 4000;
-  contributions.add_receivers(kReceivers);
   RandomNumbers random(3);
-  for (size_t i = 0; i < kReceivers; ++i) {
+  for (size_t i = 0; i < 4000; ++i) {
     const float x = 2 * random() - 1;
-    contributions.receivers[i] = Vec3(x, random(), 0);
+    contributions.add_receiver(Vec3(x, random(), 0), static_cast<uint32_t>(i));
     const float light = x < 0 ? left : right;
-    contributions.moments[i * groups + (x < 0 ? 0 : 1)] = {light, light * light};
+    contributions.moments[i * groups + (x < 0 ? 0 : 1)] = certain(light);
   }
   return contributions;
 }
@@ -38,23 +39,48 @@ TEST(LearnedLightChoice, FollowsWhatLightsTheRegion) {
   EXPECT_NEAR(learned.probability(1, Vec3(0.8f, 0.5f, 0)), kOfTheLitHalf, kTolerance);
 }
 
-// A group a million times as bright takes no more samples from receivers that it does not reach.
-TEST(LearnedLightChoice, BrightLightElsewhereCountsNoMore) {
-  const LearnedLightChoice learned(halves(1, 1e6f));
-  EXPECT_NEAR(learned.probability(0, Vec3(-0.8f, 0.5f, 0)), kOfTheLitHalf, kTolerance);
+// A group a hundred times as bright takes few samples from receivers that it does not reach: pixels in shadow count as much.
+TEST(LearnedLightChoice, BrightLightElsewhereTakesFewSamples) {
+  const LearnedLightChoice learned(halves(1, 100));
+  EXPECT_NEAR(learned.probability(0, Vec3(-0.8f, 0.5f, 0)), 0.79f, kTolerance);
+}
+
+// Vertices of one path, of which the second one contributes a thousandth of the light of the pixel, by group 1 only.
+TEST(LearnedLightChoice, VerticesCountByTheirPartOfThePixel) {
+  LightContributions contributions(2);
+  for (uint32_t path = 0; path < 200; ++path) {
+    contributions.moments[2 * contributions.add_receiver(Vec3(0), path)] = certain(1);
+    contributions.moments[2 * contributions.add_receiver(Vec3(1, 0, 0), path) + 1] = certain(0.001f);
+  }
+  // Where it matters little, group 1 is preferred nevertheless; the gain over equal probabilities is that of group 0.
+  const LearnedLightChoice learned(contributions);
+  EXPECT_GT(learned.probability(0, Vec3(0)), 0.9f);
+  EXPECT_GT(learned.probability(1, Vec3(1, 0, 0)), 0.75f);
+  EXPECT_NEAR(learned.gain(std::array<float, 2>{0.5f, 0.5f}), 2 * learned.probability(0, Vec3(0)), 1e-3);
 }
 
 // Two groups that contribute 3 and 1 to every receiver: the best probabilities are 3/4 and 1/4, of nine tenths.
 TEST(LearnedLightChoice, ProbabilitiesAreProportionalToContributions) {
   LightContributions contributions(2);
-  contributions.add_receivers(500);
   for (size_t i = 0; i < 500; ++i) {
-    contributions.receivers[i] = Vec3(static_cast<float>(i), 0, 0);
-    contributions.moments[2 * i] = {3, 9};
-    contributions.moments[2 * i + 1] = {1, 1};
+    contributions.add_receiver(Vec3(static_cast<float>(i), 0, 0), static_cast<uint32_t>(i));
+    contributions.moments[2 * i] = certain(3);
+    contributions.moments[2 * i + 1] = certain(1);
   }
   const LearnedLightChoice learned(contributions);
   EXPECT_NEAR(learned.probability(0, Vec3(250, 0, 0)), 0.9f * 0.75f + 0.05f, 1e-4f);
+}
+
+// Half of the receivers are lit by either group. By usual probabilities of 0.99 and 0.01, a light sample has the mean square
+// 0.5 / 0.99 + 0.5 / 0.01 = 50.5, by the learned ones 1 / 0.815.
+TEST(LearnedLightChoice, GainIsTheRatioOfMeanSquares) {
+  const std::array<float, 2> usual{0.99f, 0.01f};
+  EXPECT_NEAR(LearnedLightChoice(halves(1, 1)).gain(usual) / (50.5 * 0.815), 1, 0.1);
+  // BSDF samples with ten times the density of the light samples find the light in any case.
+  LightContributions found_by_bsdf = halves(1, 1);
+  for (auto& m : found_by_bsdf.moments) m.by_bsdf = 10 * m.square;
+  EXPECT_NEAR(LearnedLightChoice(found_by_bsdf).gain(usual), 1.03, 0.03);
+  EXPECT_EQ(LearnedLightChoice(LightContributions(2)).gain(usual), 1);
 }
 
 TEST(LearnedLightChoice, EveryGroupKeepsAProbabilityEverywhere) {
@@ -114,10 +140,9 @@ LightTable mixed_lights(const Environment& sky, size_t small_lights = 0) {
 
 LearnedLightChoice random_choice(size_t groups) {
   LightContributions contributions(groups);
-  contributions.add_receivers(3000);
   RandomNumbers random(11);
-  for (Vec3& p : contributions.receivers) p = random.in_cube(1);
-  for (auto& m : contributions.moments) m.square = sqr(m.mean = random());
+  for (uint32_t i = 0; i < 3000; ++i) contributions.add_receiver(random.in_cube(1), i);
+  for (auto& m : contributions.moments) m = certain(random());
   return LearnedLightChoice(contributions);
 }
 
