@@ -27,6 +27,8 @@ class Mpi : public Cli {
     // Workers of other tests may use all cores.
     setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
     setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
+    // Open MPI keeps memory until the end of the process.
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
   }
 
   // The messages of mpirun itself are not part of `err`. The time limit only ends a job that hangs.

@@ -84,6 +84,8 @@ class MpiView : public Cli {
       GTEST_SKIP() << "needs the packages openmpi-bin and libopenmpi-dev";
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    // Open MPI keeps memory until the end of the process.
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
     setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
     setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
   }
