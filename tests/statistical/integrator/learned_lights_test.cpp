@@ -50,5 +50,17 @@ TEST(LearnedLights, ASunOutsideAClosedRoomAddsNoNoise) {
   }
 }
 
+// Light subpaths choose by power, light samples by what was learned. Whichever techniques are left, the weights of all paths
+// sum to one.
+TEST(LearnedLights, BidirectionalTechniquesAgree) {
+  const Document d = test::with(room(20), "film.paths", "E(D|G)*L");
+  const auto expected = image(d, "path", "auto", 4000);
+  EXPECT_LT(4 * variance_of(expected), variance_of(image(d, "path", "one", 6000))) << "nothing was learned";
+  for (const char* without : {"", "0,*", "1,*", "*,1", "2,*", "*,2"}) {
+    const Document bdpt = test::with(test::with_integrator(d, "bdpt"), "without", without);
+    test::expect_agreement(expected, test::replicated(bdpt, 128, 5000), without, 6);
+  }
+}
+
 }  // namespace
 }  // namespace etendue::learned_lights_test
