@@ -1,7 +1,5 @@
 #include "render/partial_result.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,16 +10,14 @@
 #include "base/base64.h"
 #include "base/error_free.h"
 #include "base/hash.h"
-#include "base/tsan_handoff.h"
 #include "film/film_image.h"
 #include "image/image.h"
 #include "render/image_output.h"
 #include "render/tail_statistics.h"
+#include "render/thread_pool.h"
 
 namespace etendue::render {
 namespace {
-
-TsanHandoff g_rows_handoff;
 
 using nlohmann::json;
 
@@ -186,16 +182,15 @@ void add_layer(const image::Layer& layer, film::Film& film) {
   const uint32_t half = layer.name.starts_with(kHalfNames[0]) ? 0 : 1;
   const bool counts = is_count(layer);
   const size_t row_length = layer.channels.size() * static_cast<size_t>(film.width());
-  g_rows_handoff.release();
-  tbb::parallel_for(0, film.height(), [&](int y) {
-    g_rows_handoff.acquire();
-    const float* value = layer.pixels.data() + row_length * static_cast<size_t>(y);
-    for (int x = 0; x < film.width(); ++x, value += layer.channels.size()) {
-      if (counts)
-        film.add_sum(x, y, half, {}, static_cast<uint32_t>(*value));
-      else
-        film.add_sum(x, y, half, {double{value[0]}, double{value[1]}, double{value[2]}}, 0);
-    }
+  ThreadPool(0).run_ranges(film.height(), [&](int begin, int end) {
+    const float* value = layer.pixels.data() + row_length * static_cast<size_t>(begin);
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < film.width(); ++x, value += layer.channels.size()) {
+        if (counts)
+          film.add_sum(x, y, half, {}, static_cast<uint32_t>(*value));
+        else
+          film.add_sum(x, y, half, {double{value[0]}, double{value[1]}, double{value[2]}}, 0);
+      }
   });
 }
 

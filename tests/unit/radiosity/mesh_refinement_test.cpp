@@ -13,7 +13,7 @@ namespace {
 using scene::add;
 using scene::diffuse;
 
-std::shared_ptr<const scene::CompiledScene> compiled_scene(scene::Scene scene) {
+std::shared_ptr<const scene::CompiledScene> compiled_mesh(scene::Scene scene) {
   return scene::compile(std::make_shared<const scene::Scene>(std::move(scene)), Camera(), nullptr);
 }
 
@@ -31,7 +31,7 @@ std::shared_ptr<const scene::CompiledScene> floor_with_shadow() {
   node.transform.matrix = raised;
   s.nodes.push_back(node);
   s.roots.push_back(static_cast<int>(s.nodes.size()) - 1);
-  return compiled_scene(std::move(s));
+  return compiled_mesh(std::move(s));
 }
 
 void expect_consistent(const PatchMesh& mesh, double area) {
@@ -112,7 +112,7 @@ TEST(RefinedMesh, DoesNotDependOnTheOrderOfTasks) {
 TEST(RefinedMesh, NothingIsDividedWithoutReason) {
   scene::Scene dark;
   add(dark, scene::rectangle({-2, 0, -2}, {0, 0, 4}, {4, 0, 0}), diffuse(Rgb(0.5f)));
-  const auto unlit = compiled_scene(std::move(dark));
+  const auto unlit = compiled_mesh(std::move(dark));
   EXPECT_EQ(complete_mesh(*unlit, {Meshing::adaptive, 300, 0}, 1).patches().size(), 162u);
   EXPECT_EQ(complete_mesh(*floor_with_shadow(), {Meshing::adaptive, 1, 0}, 1).patches().size(), 4u);
 }
