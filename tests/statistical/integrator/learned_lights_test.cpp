@@ -53,7 +53,7 @@ TEST(LearnedLights, ASunOutsideAClosedRoomAddsNoNoise) {
 // Light subpaths choose by power, light samples by what was learned. Whichever techniques are left, the weights of all paths
 // sum to one.
 TEST(LearnedLights, BidirectionalTechniquesAgree) {
-  const Document d = test::with(room(20), "film.paths", "E(D|G)*L");
+  const Document d = test::with(room(1000), "film.paths", "E(D|G)*L");
   const auto expected = image(d, "path", "auto", 4000);
   EXPECT_LT(4 * variance_of(expected), variance_of(image(d, "path", "one", 6000))) << "nothing was learned";
   for (const char* without : {"", "0,*", "1,*", "*,1", "2,*", "*,2"}) {
