@@ -1,10 +1,10 @@
 // Probabilities of groups of lights for the regions of a scene, learned from samples.
 //
 // Powers and the bounds of the light tree do not know what is visible: the sun has most of the power, but a room with a
-// small window receives nearly all of its light from the lights inside. Samples at the vertices of a few paths show what the groups
-// contribute. With one light sample per receiver, group g chosen with probability p_g and contributing c_g, the variance is
-// smallest if p_g is proportional to the root of the mean of c_g^2. Here c_g is the contribution to the pixel, relative to all
-// light of the path, so that dark pixels count as much as bright ones.
+// small window receives nearly all of its light from the lights inside. Samples at the vertices of a few paths show what
+// the groups contribute. With one light sample per receiver, group g chosen with probability p_g and contributing c_g, the
+// variance is smallest if p_g is proportional to the root of the mean of c_g^2. Here c_g is the contribution to the pixel,
+// relative to all light of the path, so that dark pixels count as much as bright ones.
 //
 // Regions are the cells of a grid. Cells with few samples have the probabilities of the whole scene. Every group keeps a
 // probability above zero everywhere, so estimates stay unbiased. The idea of learned choices per region is that of

@@ -52,7 +52,7 @@ class LightSelector {
   Choice choose_in_source(size_t source, float u) const;
 
   // Groups have learned probabilities: the lights of the tree together if it pays, otherwise each source; lights without a
-  // position by themselves. None if it is one only, or if there are too many of them.
+  // position by themselves. None if there would be a single one, or more than kMostGroups.
   size_t group_count() const { return groups_.size(); }
   // Without learned probabilities, averaged over receivers.
   float usual_probability_of_group(size_t group, LightStrategy strategy) const;
