@@ -14,9 +14,11 @@ namespace {
 using Model = transport::ScatteringMedia<false>;
 using Paths = transport::PathWavefront<Model>;
 
-// Paths are spread over the image in this number of columns and rows.
-constexpr int kColumns = 32, kRows = 16;
+// The paths of a batch are spread over the image in this number of columns and rows. The first batch shows whether it pays
+// to learn.
+constexpr int kColumns = 16, kRows = 8;
 static_assert(kColumns * kRows <= Paths::kCapacity);
+constexpr uint32_t kBatches = 4;
 // Samples at each vertex, of all groups together and of each: with one sample, a rare large contribution would be all light
 // of its receiver.
 constexpr size_t kSamples = 12, kMostSamplesOfAGroup = 4;
@@ -26,8 +28,8 @@ constexpr double kLeastGain = 2;
 constexpr int kRouletteStart = 4;
 constexpr uint64_t kSeed = 0x6c69676874;
 
-void launch_paths(const RenderContext& context, const Sampler& sampler, Paths& paths) {
-  paths.begin(*context.scene, sampler, 0, nullptr, context.model->moving);
+void launch_paths(const RenderContext& context, const Sampler& sampler, uint32_t batch, Paths& paths) {
+  paths.begin(*context.scene, sampler, batch, nullptr, context.model->moving);
   const PixelSeeds seed_of(sampler, mix_bits(context.seed ^ kSeed), 0);
   for (int i = 0; i < kColumns * kRows; ++i) paths.add(seed_of(i % kColumns, i / kColumns));
   SampleTable& random =
@@ -89,11 +91,13 @@ void add_samples(Paths& paths, std::span<const LightSample> samples, size_t grou
 // By path, the receiver at its last vertex.
 using LastReceivers = std::array<size_t, Paths::kCapacity>;
 
-void add_contributions(Paths& paths, LightSampling sampling, LightContributions& contributions, LastReceivers& last) {
+void add_contributions(Paths& paths, LightSampling sampling, uint32_t batch, LightContributions& contributions,
+                       LastReceivers& last) {
   const size_t first = contributions.receivers.size();
   for (int i = 0; i < paths.hit_count(); ++i) {
     const int path = paths.path_at(i);
-    last[static_cast<size_t>(path)] = contributions.add_receiver(paths.point(i).position, static_cast<uint32_t>(path));
+    last[static_cast<size_t>(path)] =
+        contributions.add_receiver(paths.point(i).position, batch * kColumns * kRows + static_cast<uint32_t>(path));
   }
   const size_t samples = std::clamp<size_t>(kSamples / contributions.groups, 1, kMostSamplesOfAGroup);
   for (size_t group = 0; group < contributions.groups; ++group)
@@ -121,34 +125,40 @@ void add_environment_of_misses(Paths& paths, LightSampling sampling, const LastR
   }
 }
 
-}  // namespace
-
-std::shared_ptr<const LearnedLightChoice> learn_light_choice(const RenderContext& context, LightSampling sampling,
-                                                             int max_depth) {
-  using namespace transport;
-  const size_t groups = context.scene->lights().group_count(sampling);
-  const bool learns =
-      sampling.strategy == LightStrategy::automatic || sampling.strategy == LightStrategy::emission_auto;
-  if (!learns || groups < 2) return nullptr;
-  LightContributions contributions(groups);
-  const auto sampler = make_sampler("random");
+void trace_batch(const RenderContext& context, const Sampler& sampler, LightSampling sampling, int max_depth,
+                 uint32_t batch, LightContributions& contributions) {
   Paths& paths = thread_wavefront<Model>();
   LastReceivers last{};
-  launch_paths(context, *sampler, paths);
+  launch_paths(context, sampler, batch, paths);
   while (paths.trace()) {
     add_environment_of_misses(paths, sampling, last, contributions);
     while (paths.next_hits()) {
       if (max_depth > 0 && paths.length() >= max_depth) continue;
-      scatter_below_surface(paths);
-      add_contributions(paths, sampling, contributions, last);
-      sample_bsdf(paths, kRouletteStart);
+      transport::scatter_below_surface(paths);
+      add_contributions(paths, sampling, batch, contributions, last);
+      transport::sample_bsdf(paths, kRouletteStart);
     }
   }
-  auto learned = std::make_shared<const LearnedLightChoice>(contributions);
+}
+
+}  // namespace
+
+std::shared_ptr<const LearnedLightChoice> learn_light_choice(const RenderContext& context, LightSampling sampling,
+                                                             int max_depth) {
+  const LightTable& lights = context.scene->lights();
+  const size_t groups = lights.group_count(sampling);
+  const bool learns =
+      sampling.strategy == LightStrategy::automatic || sampling.strategy == LightStrategy::emission_auto;
+  if (!learns || groups < 2) return nullptr;
   std::vector<float> usual(groups);
-  for (size_t group = 0; group < groups; ++group)
-    usual[group] = context.scene->lights().usual_probability_of_group(group, sampling);
-  return learned->gain(usual) >= kLeastGain ? learned : nullptr;
+  for (size_t group = 0; group < groups; ++group) usual[group] = lights.usual_probability_of_group(group, sampling);
+  LightContributions contributions(groups);
+  const auto sampler = make_sampler("random");
+  trace_batch(context, *sampler, sampling, max_depth, 0, contributions);
+  if (LearnedLightChoice(contributions).gain(usual) < kLeastGain) return nullptr;
+  for (uint32_t batch = 1; batch < kBatches; ++batch)
+    trace_batch(context, *sampler, sampling, max_depth, batch, contributions);
+  return std::make_shared<const LearnedLightChoice>(contributions);
 }
 
 }  // namespace etendue::integrator
