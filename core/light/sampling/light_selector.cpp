@@ -87,30 +87,22 @@ void LightSelector::find_groups(std::span<const SelectableLight> lights) {
     if (same == groups_.end()) groups_.push_back(in_tree ? kTreeGroup : s);
     std::fill_n(group_of_.begin() + source.first, source.count, group);
   }
-  if (groups_.size() < 2 || groups_.size() > kMostGroups) return groups_.clear(), group_of_.clear();
-  for (const uint32_t s : groups_) {
-    std::vector<float> powers;
-    if (s != kTreeGroup)
-      for (uint32_t i = 0; i < sources_[s].count; ++i) powers.push_back(lights[sources_[s].first + i].power);
-    lights_of_group_.emplace_back(powers);
-  }
+  if (groups_.size() < 2 || groups_.size() > kMostGroups) groups_.clear(), group_of_.clear();
 }
 
 float LightSelector::usual_probability_of_group(size_t group, LightStrategy strategy) const {
-  float by_power = 0, of_infinite = 0;
-  for (uint32_t light = 0; light < group_of_.size(); ++light)
-    if (group_of_[light] == group) by_power += by_power_.probability(light);
-  if (!uses_tree(strategy)) return by_power;
-  for (size_t i = 0; i < infinite_.size(); ++i)
-    if (group_of_[infinite_[i]] == group) of_infinite += probability_of_infinite(i);
-  const float by_tree = groups_[group] == kTreeGroup ? 1 - infinite_share_ : infinite_share_ * of_infinite;
-  return (1 - kPowerShare) * by_tree + kPowerShare * by_power;
+  const uint32_t source = groups_[group];
+  if (!uses_tree(strategy)) return sources_[source].probability;
+  // All groups but the tree are single lights without a position.
+  if (source != kTreeGroup) return probability_by_tree(sources_[source].first, Vec3(0));
+  float others = 0;
+  for (size_t g = 0; g < groups_.size(); ++g)
+    if (g != group) others += usual_probability_of_group(g, strategy);
+  return 1 - others;
 }
 
 LightSelector::Choice LightSelector::choose_in_group(size_t group, const LightReceiver& from, float u) const {
-  if (groups_[group] == kTreeGroup) return tree_->choose(from, u);
-  const Choice choice = lights_of_group_[group].sample(u);
-  return {sources_[groups_[group]].first + choice.index, choice.probability};
+  return groups_[group] == kTreeGroup ? tree_->choose(from, u) : choose_in_source(groups_[group], u);
 }
 
 LightSelector::Choice LightSelector::choose_by_group(const LearnedLightChoice& learned, const LightReceiver& from,
@@ -133,8 +125,7 @@ float LightSelector::probability_by_group(const LearnedLightChoice& learned, uin
   if (!(power > 0)) return 0;
   const size_t group = group_of_[light];
   const uint32_t source = groups_[group];
-  const float within = source == kTreeGroup ? tree_->probability(light, from)
-                                            : lights_of_group_[group].probability(light - sources_[source].first);
+  const float within = source == kTreeGroup ? tree_->probability(light, from) : power / sources_[source].probability;
   return (1 - kPowerShare) * learned.probability(group, from.position) * within + kPowerShare * power;
 }
 

@@ -92,9 +92,8 @@ class LightSelector {
   float infinite_share_ = 0;
   bool tree_pays_ = false;
 
-  std::vector<uint32_t> groups_;             // numbers of sources, or kTreeGroup
-  std::vector<uint8_t> group_of_;            // of each light; empty without groups
-  std::vector<AliasTable> lights_of_group_;  // by power; empty for the tree
+  std::vector<uint32_t> groups_;   // numbers of sources, or kTreeGroup
+  std::vector<uint8_t> group_of_;  // of each light; empty without groups
 };
 
 }  // namespace etendue

@@ -156,6 +156,22 @@ TEST(LearnedLightChoice, GroupsAreSourcesOrTheTree) {
   EXPECT_EQ(mixed_lights(test::constant_environment(0.01f)).group_count(compensated), 4U);
 }
 
+// Without learning, the probabilities of the groups sum to one, and are those of their lights.
+TEST(LearnedLightChoice, UsualProbabilitiesAreThoseOfTheLights) {
+  for (const size_t small_lights : {0, 6}) {
+    const LightTable table = mixed_lights(test::constant_environment(0.01f), small_lights);
+    const LightSampling sampling(LightStrategy::automatic);
+    const size_t groups = table.group_count(sampling);
+    float sum = 0;
+    for (size_t g = 0; g < groups; ++g) sum += table.usual_probability_of_group(g, sampling);
+    EXPECT_NEAR(sum, 1, 1e-5f);
+    // The last two groups are the directional light and the environment.
+    for (const size_t from_last : {1, 2})
+      EXPECT_NEAR(table.usual_probability_of_group(groups - from_last, sampling),
+                  table.probability(static_cast<uint32_t>(table.size() - from_last), Vec3(0), sampling), 1e-6f);
+  }
+}
+
 // For receivers everywhere, the probabilities of all lights sum to one, samples state the probability of their light, and
 // the densities of points that other techniques found are those of the samples.
 TEST(LearnedLightChoice, LightSamplesHaveTheStatedDensities) {
