@@ -53,7 +53,6 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
     light.power = p.visit([&](const auto& emitter) { return emitter.power(scene_.radius); });
     light.source = ++source;
     light.is_infinite = p.is_infinite();
-    has_point_lights_ = has_point_lights_ || !light.is_infinite;
     if (light.power > 0) light.bounds = bounds_of(p);
   }
   if (!environment_->black()) {
@@ -64,9 +63,21 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
   }
   for (const SelectableLight& light : lights) power_ += light.power;
   selector_ = LightSelector(lights);
+  find_points(lights);
   if (environment_->black()) return;
   lights.back().power *= environment_->compensated_share();
   compensated_selector_ = selector_.with_infinite_powers(lights);
+}
+
+void LightTable::find_points(std::span<const SelectableLight> lights) {
+  std::vector<float> powers(lights.size());
+  bool any = false;
+  for (size_t i = primitives_.size(); i < lights.size(); ++i) {
+    if (lights[i].is_infinite || !(lights[i].power > 0)) continue;
+    powers[i] = lights[i].power;
+    any = true;
+  }
+  if (any) points_by_power_ = AliasTable(powers);
 }
 
 size_t LightTable::placed_count() const { return placed_->size(); }
@@ -177,7 +188,7 @@ std::optional<LightTable::PointLight> LightTable::point_light(uint32_t light, fl
       const LightPlace place = placed->at(time);
       const LightBounds bounds = emitter.bounds(place);
       const float angle = std::min(bounds.normals + bounds.emission, kPi);
-      return PointLight{light, selector_.probability_by_power(light), place.position, bounds.axis, std::cos(angle)};
+      return PointLight{light, points_by_power_.probability(light), place.position, bounds.axis, std::cos(angle)};
     }
   });
 }

@@ -90,20 +90,20 @@ class LightTable {
   // The number of the environment, if it is a light.
   uint32_t environment_number() const { return static_cast<uint32_t>(size() - 1); }
 
-  // Whether there are lights at points (point lights, spot lights).
-  bool has_point_lights() const { return has_point_lights_; }
+  // Whether there are lights at points (point lights, spot lights) that emit.
+  bool has_point_lights() const { return !points_by_power_.empty(); }
   // A light at a point. It emits in directions whose cosine to the axis is at least `cone_cosine`.
   struct PointLight {
     uint32_t light;
-    float probability;  // of its choice by power among all lights
+    float probability;  // of its choice by power among all lights at points
     Vec3 position, axis;
     float cone_cosine;
   };
-  // Nothing if the light is of another kind.
+  // Nothing if the light is of another kind. There must be lights at points.
   std::optional<PointLight> point_light(uint32_t light, float time) const;
-  // Chosen by power among all lights; nothing if the choice falls on a light of another kind.
+  // Chosen by power. There must be lights at points as well.
   std::optional<PointLight> choose_point_light(float u, float time) const {
-    return empty() ? std::nullopt : point_light(selector_.choose_by_power(u).index, time);
+    return point_light(points_by_power_.sample(u).index, time);
   }
   // The sample of a light without extent. Its pdf is 1, or 0 if the light does not reach the receiver.
   LightSample sample_placed(uint32_t light, const Vec3& from, float time) const;
@@ -138,6 +138,8 @@ class LightTable {
   float range_window(uint32_t light, float distance) const;
 
  private:
+  void find_points(std::span<const SelectableLight> lights);
+
   // `choose(i)` is the light of query i with its probability.
   template <class Choose>
   void sample_chosen(const LightQueries& queries, LightSample* samples, LightSampling sampling, Choose&& choose) const;
@@ -169,7 +171,7 @@ class LightTable {
   SceneSphere scene_;
   LightSelector selector_;
   LightSelector compensated_selector_;
-  bool has_point_lights_ = false;
+  AliasTable points_by_power_;  // of all lights, zero for those that are not at points; empty if there are none
   float power_ = 0;
 };
 

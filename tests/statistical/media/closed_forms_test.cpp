@@ -144,6 +144,21 @@ TEST(SingleScattering, InABoundedAtmosphere) {
   expect_radiance(d, 256, airlight(m, light, 10, std::sqrt(25 - 0.01)), 0.01, "sphere of 5 m");
 }
 
+// A light with 100,000 times the power in a black box takes no samples of distances from the point light. With the power of
+// all lights in place of that of the point lights, nearly all pixels would be black and the rest bright.
+TEST(SingleScattering, AHiddenLightDoesNotMatter) {
+  const Vec3 light(0.3f, 0.9f, -2);
+  const MediumDescription m = medium({0.5f, 0.3f, 0.1f});
+  scene::Scene scene;
+  scene.atmosphere.medium = m;
+  scene::add_point_light(scene, light, 10);
+  add(scene, test::sphere(0.1f, 8, false), test::diffuse(Rgb(0), Rgb(4e7f)), at({0, 0, 50}));
+  add(scene, scene::box({1, 1, 1}), test::diffuse(Rgb(0)), at({0, 0, 50}));
+  const Document d = narrow_view(scene, Vec3(0), {0, 0, -1});
+  for (const char* name : {"path", "distribution"})
+    expect_radiance(with(with_integrator(d, name), "film.paths", "EVL"), 256, airlight(m, light, 10, 120), 0.01, name);
+}
+
 // ---- Conservation of energy.
 
 // Media that do not absorb are invisible in a uniform sky, whatever surrounds them. The camera is outside or inside,

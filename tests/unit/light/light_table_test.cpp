@@ -112,6 +112,24 @@ TEST(LightTable, SourcesAreInstancesPlacedLightsAndTheEnvironment) {
   }
 }
 
+// Equiangular samples choose among lights at points, whatever the powers of the others.
+TEST(LightTable, PointLightsAreChosenAmongThemselves) {
+  PlacedLight first = point_light(), second = point_light();
+  second.place.position = Vec3(1, 2, 3);
+  const LightTable one(ceiling(), {first}, test::constant_environment(1000), scene_bounds());
+  const LightTable two(ceiling(), {first, second}, test::constant_environment(1000), scene_bounds());
+  ASSERT_TRUE(two.has_point_lights());
+  for (const float u : {0.0f, 0.3f, 0.6f, kOneMinusEpsilon}) {
+    EXPECT_EQ(one.choose_point_light(u, 0)->probability, 1);
+    const auto chosen = two.choose_point_light(u, 0);
+    ASSERT_TRUE(chosen);
+    EXPECT_NEAR(chosen->probability, 0.5f, 1e-6f);
+    EXPECT_EQ(two.point_light(chosen->light, 0)->probability, chosen->probability);
+  }
+  EXPECT_NE(two.choose_point_light(0, 0)->position, two.choose_point_light(kOneMinusEpsilon, 0)->position);
+  EXPECT_FALSE(LightTable(ceiling(), {}, test::constant_environment(1), scene_bounds()).has_point_lights());
+}
+
 // A uniform environment is left to BSDF samples: all compensated samples go to the other lights.
 TEST(LightTable, CompensatedSamplesLeaveOutAUniformEnvironment) {
   const LightTable table(ceiling(), {point_light()}, test::constant_environment(0.01f), scene_bounds());
