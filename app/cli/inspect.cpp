@@ -66,10 +66,14 @@ void print_list(const char* title, const json& items) {
 }
 
 void print(const json& j) {
-  const auto number = [&](const char* key) { return j[key].get<unsigned long long>(); };
-  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures\n  lights: %s\n",
-              j["scene"].get<std::string>().c_str(), number("triangles"), number("instances"), number("materials"),
-              number("textures"), j["lights_text"].get<std::string>().c_str());
+  std::string counts;
+  for (const auto& [singular, plural] : {std::pair("triangle", "triangles"),
+                                         {"instance", "instances"},
+                                         {"material", "materials"},
+                                         {"texture", "textures"}})
+    counts += (counts.empty() ? "" : ", ") + format_count(j[plural].get<uint64_t>(), singular, plural);
+  std::printf("%s\n  %s\n  lights: %s\n", j["scene"].get<std::string>().c_str(), counts.c_str(),
+              j["lights_text"].get<std::string>().c_str());
   print_list("cameras", j["cameras"]);
   print_list("material variants (--set scene.variant=NAME)", j["variants"]);
   print_list("unsupported extensions", j["unsupported"]);

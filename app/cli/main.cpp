@@ -12,22 +12,21 @@
 namespace etendue::cli {
 namespace {
 
-// "etendue" and "etendue SCENE" stand for "etendue view" and "etendue view SCENE".
+// "etendue" and "etendue SCENE" stand for "etendue view" and "etendue view SCENE", with or without options before it.
 bool omits_view(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return true;
   const std::string& first = arguments.front();
-  return !first.starts_with("-") && std::ranges::none_of(commands(), [&](const Command& c) { return first == c.name; });
+  return !is_option_without_command(first) &&
+         std::ranges::none_of(commands(), [&](const Command& c) { return first == c.name; });
 }
 
-// The subcommand that an unknown first argument resembles, unless there is such a file; empty if there is none.
-std::string similar_command(const std::string& first) {
-  constexpr size_t kMostTypos = 2;
+// The question which command was meant by the first argument, unless it is the name of a file; empty if none is similar.
+std::string did_you_mean_command(const std::string& first) {
   std::error_code error;
   if (std::filesystem::exists(first, error)) return "";
   std::vector<std::string> names;
   for (const Command& command : commands()) names.push_back(command.name);
-  const std::string similar = similar_name(first, names);
-  return edit_distance(first, similar) <= std::min(kMostTypos, first.size() / 2) ? similar : "";
+  return did_you_mean(first, names);
 }
 
 // An error if standard output is incomplete, for example because it goes to a full disk.
@@ -44,10 +43,10 @@ int main(int argc, char** argv) {
   using namespace etendue::cli;
   std::vector<std::string> arguments(argv + 1, argv + argc);
   if (omits_view(arguments)) {
-    const std::string similar = arguments.empty() ? "" : similar_command(arguments.front());
-    if (!similar.empty())
-      return fail(etendue::usage_error("there is no command '" + arguments.front() + "'; did you mean '" + similar +
-                                       "'? See etendue --help"));
+    const std::string question = arguments.empty() ? "" : did_you_mean_command(arguments.front());
+    if (!question.empty())
+      return fail(
+          etendue::usage_error("there is no command '" + arguments.front() + "'" + question + " See etendue --help"));
     arguments.insert(arguments.begin(), "view");
   }
   return checked_output(parse_and_run(commands(), std::move(arguments)));

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 #include "base/similar_name.h"
@@ -62,7 +63,7 @@ void add_option(CLI::App& parser, const CommandOption& option) {
       option.target);
 }
 
-// Names the first argument that no option takes, and the most similar option of the command.
+// Names the first argument that no option takes, and the option of the command that was probably meant.
 std::string unknown_argument(const CLI::App& app) {
   for (const CLI::App* parser : app.get_subcommands()) {
     const std::vector<std::string> rest = parser->remaining();
@@ -73,7 +74,7 @@ std::string unknown_argument(const CLI::App& app) {
     for (const CLI::Option* known : parser->get_options())
       for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
     const std::string name = option->substr(0, option->find('='));
-    return "there is no option '" + name + "'; the nearest is '" + similar_name(name, names) + "'";
+    return "there is no option '" + name + "'" + did_you_mean(name, names);
   }
   return "";
 }
@@ -91,6 +92,11 @@ int run_command(const Command& command) {
 }
 
 }  // namespace
+
+bool is_option_without_command(std::string_view argument) {
+  constexpr std::array<std::string_view, 3> kOptions{"-h", "--help", "--version"};
+  return std::ranges::find(kOptions, argument) != kOptions.end();
+}
 
 int parse_and_run(const std::vector<Command>& commands, std::vector<std::string> arguments) {
   CLI::App app{"Étendue: a workbench for light transport", "etendue"};
@@ -117,7 +123,8 @@ int parse_and_run(const std::vector<Command>& commands, std::vector<std::string>
     return app.exit(request);
   } catch (const CLI::ExtrasError& error) {
     const std::string unknown = unknown_argument(app);
-    return fail_to_parse((unknown.empty() ? error.what() : unknown) + "; see " + help);
+    const std::string message = unknown.empty() ? error.what() : unknown;
+    return fail_to_parse(message + (message.ends_with("?") ? " See " : "; see ") + help);
   } catch (const CLI::ParseError& error) {
     return fail_to_parse(std::string(error.what()) + "; see " + help);
   }

@@ -67,6 +67,10 @@ std::string format_bytes(uint64_t bytes) {
   return format_text(value < 9.95 ? "%.1f %s" : "%.0f %s", value, kUnits[unit]);
 }
 
+std::string format_count(uint64_t count, const char* singular, const char* plural) {
+  return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
 std::string format_rate(double per_second, const char* unit) {
   constexpr std::array<const char*, 4> kPrefixes{"", "k", "M", "G"};
   size_t prefix = 0;

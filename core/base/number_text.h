@@ -24,6 +24,9 @@ std::string format_duration(double seconds);
 // A size in bytes with a binary prefix: "512 B", "1.5 KiB", "312 MiB", "1.4 GiB".
 std::string format_bytes(uint64_t bytes);
 
+// A number with its noun: "1 light", "3 lights".
+std::string format_count(uint64_t count, const char* singular, const char* plural);
+
 // A rate with a decimal prefix: format_rate(1.9e6, "samples") is "1.90 Msamples/s", format_rate(42, "rays") is
 // "42.0 rays/s".
 std::string format_rate(double per_second, const char* unit);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
+#include "base/similar_name.h"
 
 namespace etendue {
 namespace {
@@ -137,7 +138,7 @@ Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
           return usage_error(info.name + ": " + accepted.error().message);
         return value;
       }
-      return invalid_value(info, text, "one of " + joined(info.options));
+      return invalid_value(info, text, "one of " + joined(info.options) + did_you_mean(text, info.options));
   }
   return value;
 }

@@ -35,4 +35,17 @@ inline std::string similar_name(std::string_view name, std::span<const std::stri
   return nearest;
 }
 
+// The name that was probably meant: at most two letters, and half of them, are wrong. Empty if no name is so similar.
+inline std::string probable_name(std::string_view name, std::span<const std::string> names) {
+  constexpr size_t kMostErrors = 2;
+  const std::string similar = similar_name(name, names);
+  return edit_distance(name, similar) <= std::min(kMostErrors, name.size() / 2) ? similar : "";
+}
+
+// The same as a question at the end of a message, "; did you mean 'NAME'?", or empty.
+inline std::string did_you_mean(std::string_view name, std::span<const std::string> names) {
+  const std::string probable = probable_name(name, names);
+  return probable.empty() ? "" : "; did you mean '" + probable + "'?";
+}
+
 }  // namespace etendue

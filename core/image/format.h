@@ -25,7 +25,7 @@ using Bytes = std::span<const std::byte>;
 struct ImageFormat {
   std::string_view name;   // "png"
   std::string_view label;  // shown to the user: "PNG"
-  std::array<std::string_view, 3>
+  std::array<std::string_view, 12>
       extensions;        // lower case, with the dot, the usual one first; unused entries are empty
   std::string_view doc;  // what is read and written
 

@@ -145,12 +145,13 @@ extern const std::array<ImageFormat, 14> kPluginFormats{
                    .recognises = is_psd}),
     plugin_format(
         {.name = "gif", .label = "GIF", .extensions = {".gif"}, .doc = "Read: the first image.", .recognises = is_gif}),
-    plugin_format({.name = "raw",
-                   .label = "camera raw",
-                   .extensions = {".raw", ".raf", ".orf"},
-                   .doc = "Read: developed to sRGB. Files based on TIFF (.dng, .nef, .cr2, .arw) are selected by their "
-                          "extension.",
-                   .recognises = is_raw}),
+    plugin_format(
+        {.name = "raw",
+         .label = "camera raw",
+         .extensions = {".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".orf", ".rw2", ".pef", ".srw", ".3fr", ".raw"},
+         .doc = "Read: developed to sRGB. Most of these files are TIFF files by their content, so the "
+                "extension selects the reader.",
+         .recognises = is_raw}),
     plugin_format({.name = "targa",
                    .label = "TGA",
                    .extensions = {".tga"},

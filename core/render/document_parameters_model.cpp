@@ -1,5 +1,6 @@
 // Section "model": the flags of the transport model.
 #include <algorithm>
+#include <cctype>
 
 #include "render/document_parameters.h"
 #include "transport/model.h"
@@ -17,13 +18,24 @@ struct etendue::Options<etendue::render::FlagSetting> {
 
 namespace etendue::render {
 
+namespace {
+
+std::string label_of(std::string flag) {
+  if (flag == "classes") return "Path classes";
+  flag.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(flag.front())));
+  return flag;
+}
+
+}  // namespace
+
 DocumentParameters model_parameters(const Document& document) {
   DocumentParameters list;
   for (const std::string& flag : transport::model_flags()) {
+    const std::string label = label_of(flag);
     const bool on = std::ranges::find(document.forced_flags, flag) != document.forced_flags.end();
     DocumentParameter parameter = make_parameter(
         "model",
-        Choice<FlagSetting>{flag.c_str(), flag.c_str(), on ? FlagSetting::on : FlagSetting::automatic,
+        Choice<FlagSetting>{flag.c_str(), label.c_str(), on ? FlagSetting::on : FlagSetting::automatic,
                             "Auto enables the feature only if the scene uses it; On forces it. The image is the same"},
         [](Document&, FlagSetting) {});
     parameter.assign = [flag](Document& d, const Value& v) {

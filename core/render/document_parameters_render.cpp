@@ -30,10 +30,9 @@ DocumentParameter registry_choice(const char* name, const char* label, const cha
 
 // The integrators of the registry, and their automatic choice.
 DocumentParameter integrator_choice(const Document& document) {
-  DocumentParameter parameter =
-      registry_choice("render.integrator", "Integrator",
-                      "Light transport algorithm. Automatic: short pilot renderings decide (section auto)",
-                      integrator::integrator_infos(), document.method.integrator, &MethodSettings::integrator);
+  DocumentParameter parameter = registry_choice(
+      "render.integrator", "Integrator", "Light transport algorithm. Automatic: short pilot renderings decide",
+      integrator::integrator_infos(), document.method.integrator, &MethodSettings::integrator);
   parameter.info.options.emplace_back(kAutomatic);
   parameter.info.option_labels.emplace_back("Automatic");
   if (document.automatic.enabled) parameter.info.default_value = std::string(kAutomatic);

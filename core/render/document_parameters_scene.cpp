@@ -6,8 +6,8 @@
 #include "light/environments/uniform.h"
 #include "render/document_parameters_medium.h"
 #include "scene/animation.h"
-#include "scene/pose.h"
 #include "scene/keyframes.h"
+#include "scene/pose.h"
 #include "scene/variants.h"
 
 namespace etendue {
@@ -32,9 +32,9 @@ void change_pose(Document& document, const std::function<void(scene::Scene&)>& c
 }
 
 DocumentParameter clip_choice(const scene::Scene& scene) {
-  DocumentParameter parameter =
-      choice_parameter("scene", "clip", "Clip",
-                       "The animation of the file that plays. All: every one that moves other nodes than those before it");
+  DocumentParameter parameter = choice_parameter(
+      "scene", "clip", "Clip",
+      "The animation of the file that plays. All: every one that moves other nodes than those before it");
   parameter.info.options = scene::clip_labels(scene);
   parameter.info.option_labels = parameter.info.options;
   parameter.info.option_labels.front() = "All";
@@ -140,7 +140,7 @@ void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
              "Angle of the sun about the vertical axis, from +z towards +x", "rad");
   needs(SunPosition::angles, kNeedsAngles);
   add_number("latitude", "Latitude", &Sky::latitude, {-kPi / 2, kPi / 2},
-             "Of the place. North is positive; -z is north and +x is east", "rad");
+             "Latitude of the place. North is positive; -z is north and +x is east", "rad");
   needs(SunPosition::time, kNeedsTime);
   list.push_back(make_parameter(
       "environment",
@@ -169,11 +169,15 @@ void add_sky_parameters(DocumentParameters& list, const Sky& sky) {
 DocumentParameters scene_parameters(const Document& document) {
   const scene::Scene& scene = *document.scene;
   const float duration = scene::animation_duration(scene);
-  DocumentParameters list{make_parameter(
-      "scene",
-      Number<float>{
-          "time", "Time", scene.time, {0, std::max(scene::kLongestAnimation, duration)}, "Time at which animations are evaluated", "s"},
-      [](Document& d, float v) { change_pose(d, [v](scene::Scene& s) { s.time = v; }); })};
+  DocumentParameters list{
+      make_parameter("scene",
+                     Number<float>{"time",
+                                   "Time",
+                                   scene.time,
+                                   {0, std::max(scene::kLongestAnimation, duration)},
+                                   "Time at which animations are evaluated",
+                                   "s"},
+                     [](Document& d, float v) { change_pose(d, [v](scene::Scene& s) { s.time = v; }); })};
   if (scene.animations.size() > 1) list.push_back(clip_choice(scene));
   if (!scene.variants.empty()) list.push_back(variant_choice(scene));
   return list;

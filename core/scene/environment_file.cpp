@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/similar_name.h"
 #include "light/environments/builtin_environment.h"
 
 namespace etendue::scene {
@@ -31,6 +32,18 @@ Result<std::shared_ptr<const image::Image>> load_environment_map(const std::file
 
 Result<Environment> load_environment(const std::string& file_or_name) {
   if (const BuiltinEnvironment* builtin = find_builtin_environment(file_or_name)) return make_environment(*builtin);
+  const std::filesystem::path file(file_or_name);
+  std::error_code ignored;
+  if (!file.has_extension() && !file.has_parent_path() && !std::filesystem::exists(file, ignored)) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const BuiltinEnvironment& builtin : builtin_environments()) {
+      names.emplace_back(builtin.name);
+      list += (list.empty() ? "" : ", ") + names.back();
+    }
+    return input_error("there is no built-in environment '" + file_or_name + "'; use an image file, or one of " + list +
+                       did_you_mean(file_or_name, names));
+  }
   auto map = load_environment_map(file_or_name);
   if (!map) return map.error();
   return Environment{.map = *map, .file = file_or_name, .tint = Rgb(1)};

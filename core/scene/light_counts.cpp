@@ -2,15 +2,12 @@
 
 #include <set>
 
+#include "base/number_text.h"
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 
 namespace etendue::scene {
 namespace {
-
-std::string count_text(size_t count, const char* singular, const char* plural) {
-  return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
 
 bool is_light(const Scene& scene, uint32_t node) { return scene.nodes[node].light >= 0; }
 
@@ -42,10 +39,10 @@ LightCounts count_lights(const CompiledScene& scene) {
 std::string light_text(const LightCounts& counts) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (counts.lights > 0) add(count_text(counts.lights, "light", "lights"));
+  if (counts.lights > 0) add(format_count(counts.lights, "light", "lights"));
   if (counts.emissive_objects > 0)
-    add(count_text(counts.emissive_objects, "emissive object", "emissive objects") + " (" +
-        count_text(counts.emissive_triangles, "triangle", "triangles") + ")");
+    add(format_count(counts.emissive_objects, "emissive object", "emissive objects") + " (" +
+        format_count(counts.emissive_triangles, "triangle", "triangles") + ")");
   if (counts.environment) add("environment");
   return text.empty() ? "none" : text;
 }

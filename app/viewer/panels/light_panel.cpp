@@ -40,7 +40,7 @@ void list_lights(AppState& state, const scene::Scene& scene) {
     const auto node =
         std::ranges::find_if(nodes, [&](int n) { return scene.nodes[static_cast<size_t>(n)].light == index; });
     if (node == nodes.end()) continue;
-    const std::string text = object_name(light.name, "light", i) + "  (" + light.info().description.name + ")";
+    const std::string text = object_name(light.name, "light", i) + "  (" + light.info().description.label + ")";
     ImGui::PushID(index);
     if (ImGui::Selectable(text.c_str(), state.selection.light == index)) {
       state.select(*node, -1);
@@ -146,7 +146,7 @@ class LightPanel final : public Panel {
   }
 
   std::vector<ParameterInfo> parameters() const override {
-    auto list = describe_all(LightMeter::Parameters(meter_.parameters).all());
+    auto list = describe_all(LightMeter::Parameters{}.all());
     list.push_back(unit_parameter(UnitSystem::photometric, kLuminousIntensity));
     return list;
   }
@@ -226,7 +226,7 @@ class LightPanel final : public Panel {
                                                : "The scene has no light sources. It is lit by the environment only.");
     if (scene.lights.empty() && has_emissive && scene.environment.black())
       note(state.ui,
-           "Lit by emissive surfaces only. If the image is too dark, load an environment map or raise the radiance of "
+           "Lit by emissive surfaces only. If the image is too dark, load an environment map or raise the luminance of "
            "the environment.");
     list_lights(state, scene);
     list_emissive_materials(state, scene);

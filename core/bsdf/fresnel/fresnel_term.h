@@ -110,7 +110,7 @@ struct FresnelParameters {
              {0.01f, 10},
              "Index of refraction relative to vacuum, real part"};
   Triple kappa{"kappa",
-               "Extinction \u03ba",
+               "Extinction k",
                Vec3(5.00000f, 2.25729f, 1.77625f),
                {0, 20},
                "Imaginary part of the index of refraction; 0 for dielectrics"};

@@ -58,7 +58,7 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
     };
   }
 
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLearnedLightsDoc};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Number<int> roulette_start{"roulette-start",
                              "Russian roulette start depth",
                              2,

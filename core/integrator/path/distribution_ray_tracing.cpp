@@ -68,10 +68,10 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
       1,
       {1, 64},
       "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
-  Choice<BranchingVertices> branching{
-      "branching", "Branching vertices", BranchingVertices::first,
-      "first: the first three vertices. first-rough: the first vertex that is not specular, with the branches of the first "
-      "vertex"};
+  Choice<BranchingVertices> branching{"branching", "Branching vertices", BranchingVertices::first,
+                                      "First vertices: the first three. First rough vertex: the first one that is not "
+                                      "specular, with the branches of the "
+                                      "first vertex"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Samples lights directly. Off: only emitters that a ray hits count"};
   Number<int> roulette_start{"roulette-start",
@@ -81,8 +81,8 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
-    return std::tie(max_depth, branches_1, branches_2, branches_3, branching, shadow_rays, lights, heuristic, cutoff, power,
-                    roulette_start);
+    return std::tie(max_depth, branches_1, branches_2, branches_3, branching, shadow_rays, lights, heuristic, cutoff,
+                    power, roulette_start);
   }
 
   std::string incompatibility(const RenderContext& context) const override {

@@ -20,18 +20,14 @@ inline std::string incompatibility_with_point_lights(const RenderContext& contex
   const LightTable& lights = context.scene->lights();
   if (lights.placed_count() == 0 || !lights.triangles().empty() || !lights.environment().black()) return {};
   return "all lights of the scene are points or directions, which paths without light sampling cannot hit: use an "
-         "integrator "
-         "that samples lights";
+         "integrator that samples lights";
 }
 
 // Description of the parameter `lights` (LightStrategy).
 inline constexpr const char* kLightsDoc =
-    "every: samples all lights; no selection noise, cost grows with their number. one: constant cost. tree: favours "
-    "nearby lights. auto: the tree from eight lights on";
-// The same for integrators that learn how to choose lights.
-inline constexpr const char* kLearnedLightsDoc =
-    "every: samples all lights; no selection noise, cost grows with their number. one: constant cost. tree: favours "
-    "nearby lights. auto: learned choices between groups of lights, and the tree from eight lights on";
+    "All: no noise of the choice, but a cost that grows with the number of lights. One: constant cost. The light tree "
+    "favours nearby lights. Automatic: the light tree from eight lights on, and in integrators that learn, choices "
+    "between groups of lights that follow what reaches the visible surfaces";
 
 template <class Derived>
 class CameraPathIntegrator : public IntegratorBase<Derived> {

@@ -9,20 +9,20 @@ namespace etendue::integrator {
 struct DirectLightParameters {
   Choice<transport::DirectLightHeuristic> heuristic{
       "heuristic", "MIS heuristic", transport::DirectLightHeuristic::power,
-      "How light sampling and BSDF sampling are weighted. partition: direct light from light samples only"};
+      "How light sampling and BSDF sampling are weighted. Partition: direct light from light samples only"};
   Number<float> cutoff{"cutoff",
                        "MIS cutoff",
                        0.5f,
                        {0, 1},
-                       "Of the heuristic cutoff: density relative to the larger one below which a sample does not "
-                       "count. 0 is balance, 1 is maximum"};
+                       "Cutoff heuristic: the density, relative to the larger one, below which a sample does not "
+                       "count. 0 is the balance heuristic, 1 the maximum heuristic"};
   Number<float> power{"power",
                       "MIS power",
                       2,
                       {0.25f, 16},
-                      "Exponent of the heuristic power. Raising it favours the technique with the larger density; 1 is "
-                      "balance"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLearnedLightsDoc};
+                      "Power heuristic: the exponent. Raising it favours the technique with the larger density. 1 is "
+                      "the balance heuristic"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
 
   transport::DirectLightMis direct_light_mis(int light_samples = 1) const {
     transport::DirectLightMis mis(heuristic.value);

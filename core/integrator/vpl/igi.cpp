@@ -30,8 +30,8 @@
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
 //   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing without a caustics map.
 //                 Corners show splotches, or with a bound and without compensation are too dark. Compensation misses
-//                 light that reaches the next vertex through glass, so media inside glass need a bound of 0. Glossy
-//                 virtual lights are treated as diffuse unless the full BSDF is used.
+//                 light that reaches the next vertex through glass, so media inside glass need a contribution bound
+//                 of 0. Glossy virtual lights are treated as diffuse unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
@@ -58,11 +58,10 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
         .bias = Bias::biased,
         .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
-            "Caustics, and light that reaches visible surfaces through glass, are missing without a caustics map "
-            "(caustic-photons). Corners show splotches, or "
-            "with a bound and without compensation are too dark. Compensation misses light that reaches the next "
-            "vertex through glass, so media inside glass need a bound of 0. Glossy virtual lights are treated as "
-            "diffuse unless the full BSDF is used.",
+            "Caustics, and light that reaches visible surfaces through glass, are missing without a caustics map. "
+            "Corners show splotches, or with a bound and without compensation are too dark. Compensation misses light "
+            "that reaches the next vertex through glass, so media inside glass need a contribution bound of 0. Glossy "
+            "virtual lights are treated as diffuse unless the full BSDF is used.",
         .accumulation = Accumulation::per_image,
         .division = {DivisionUnit::passes, true,
                      "The virtual lights of a sample depend on its number only. Each region makes them again."},

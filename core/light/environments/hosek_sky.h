@@ -7,11 +7,12 @@ namespace etendue {
 
 inline Environment make_default_hosek_sky() { return make_sky({.model = SkyModel::hosek_wilkie}); }
 
-constexpr BuiltinEnvironment kHosekSky{
-    .name = kHosekSkyName,
-    .label = "Sky and sun (Hosek-Wilkie)",
-    .doc = "A clear sky with a sun, more accurate close to the horizon and at low suns than \"sky\", in cd/m\u00b2",
-    .radiance = nullptr,
-    .make = make_default_hosek_sky};
+constexpr BuiltinEnvironment kHosekSky{.name = kHosekSkyName,
+                                       .label = "Sky and sun (Hosek-Wilkie)",
+                                       .doc =
+                                           "A clear sky with a sun, more accurate close to the horizon and at low suns "
+                                           "than the sky of Preetham, in cd/m\u00b2",
+                                       .radiance = nullptr,
+                                       .make = make_default_hosek_sky};
 
 }  // namespace etendue

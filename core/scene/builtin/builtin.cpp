@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/provided_files.h"
+#include "base/similar_name.h"
 #include "scene/builtin/caustic_pool.h"
 #include "scene/builtin/cloud.h"
 #include "scene/builtin/cornell.h"
@@ -32,6 +33,16 @@ const std::vector<Builtin>& builtins() {
   return all;
 }
 
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Builtin>& scenes) {
+  std::vector<std::string> names;
+  for (const Builtin& b : scenes) names.emplace_back(b.name);
+  return names;
+}
+
+}  // namespace
+
 const Builtin* find_builtin(std::string_view name) {
   for (const Builtin& b : builtins())
     if (b.name == name) return &b;
@@ -51,7 +62,7 @@ Result<Scene> load(const std::string& file_or_name) {
   if (!file.has_extension() && !file.has_parent_path() && !provided_file(file) &&
       !std::filesystem::exists(file, ignored))
     return input_error("there is no built-in scene '" + file_or_name + "'; use a .gltf or .glb file, or one of " +
-                       builtin_names());
+                       builtin_names() + did_you_mean(file_or_name, names_of(builtins())));
   return load_gltf(file_or_name);
 }
 

@@ -1,5 +1,7 @@
 #include "scene/gltf/load_gltf.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "scene/gltf/import/importers.h"
@@ -10,23 +12,46 @@ namespace {
 
 using gltf::InputFile;
 
-// Keeps the first warnings of each kind and counts the others, so that a defect that occurs a thousand times takes a
-// few lines.
-void shorten(std::vector<std::string>& warnings) {
-  constexpr size_t kShown = 4;          // of each kind
-  std::map<std::string, size_t> kinds;  // by their text without digits
-  const auto kind_of = [](const std::string& warning) {
-    std::string kind;
-    for (const char c : warning)
-      if (c < '0' || c > '9') kind += c;
-    return kind;
+constexpr size_t kShown = 4;  // places of a defect, and warnings of a kind
+
+// Warnings are "place: defect". Those with the same defect become one, which names the first places and counts the others.
+std::vector<std::string> join_places(const std::vector<std::string>& warnings) {
+  struct Places {
+    std::vector<std::string> shown;
+    size_t count = 0;
   };
+  std::vector<std::pair<std::string, Places>> defects;
+  std::map<std::string, size_t> number_of;
+  for (const std::string& warning : warnings) {
+    const size_t colon = warning.find(": ");
+    const std::string defect = colon == std::string::npos ? warning : warning.substr(colon);
+    const auto [known, is_new] = number_of.emplace(defect, defects.size());
+    if (is_new) defects.push_back({defect, {}});
+    Places& places = defects[known->second].second;
+    if (places.count++ < kShown && colon != std::string::npos) places.shown.push_back(warning.substr(0, colon));
+  }
+  std::vector<std::string> joined;
+  for (const auto& [defect, places] : defects) {
+    std::string text;
+    for (const std::string& place : places.shown) text += (text.empty() ? "" : ", ") + place;
+    if (places.count > kShown) text += " and " + std::to_string(places.count - kShown) + " more";
+    joined.push_back(text + defect);
+  }
+  return joined;
+}
+
+// Keeps the first warnings of each kind and counts the others. The kind is the text without digits.
+std::vector<std::string> shorten(std::vector<std::string> warnings) {
+  std::map<std::string, size_t> kinds;
   std::vector<std::string> kept;
-  for (std::string& warning : warnings)
-    if (++kinds[kind_of(warning)] <= kShown) kept.push_back(std::move(warning));
+  for (std::string& warning : warnings) {
+    std::string kind;
+    std::ranges::copy_if(warning, std::back_inserter(kind), [](char c) { return c < '0' || c > '9'; });
+    if (++kinds[kind] <= kShown) kept.push_back(std::move(warning));
+  }
   for (const auto& [kind, count] : kinds)
     if (count > kShown) kept.push_back(std::to_string(count - kShown) + " more of this kind: " + kind);
-  warnings = std::move(kept);
+  return kept;
 }
 
 std::string one_line(std::string text) {
@@ -63,7 +88,7 @@ class Loader {
     check_joint_indices();
     gltf::remove_far_meshes(scene_);
     gltf::check_boundaries(scene_);
-    shorten(scene_.warnings);
+    scene_.warnings = shorten(join_places(scene_.warnings));
     for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));
     return std::move(scene_);
   }

@@ -225,14 +225,18 @@ TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell -o a.exr --set film.paths=EQL", 2, "'Q' is not a letter of path expressions");
   expect_error("list furniture", 2, "integrators");
   expect_error("render cornell --frobnicate", 2, "etendue render --help");
-  expect_error("render cornell --ssp 4", 2, "the nearest is '--spp'");
+  expect_error("render cornell --ssp 4", 2, "did you mean '--spp'?");
+  expect_error("render cornell -z", 2, "there is no option '-z'; see etendue render --help");
+  expect_error("--ofscreen cornell", 2, "there is no option '--ofscreen'; did you mean '--offscreen'?");
+  expect_error("render cornell -o a.exr --integrator pathh", 2, "did you mean 'path'?");
   expect_error("rendr cornell", 2, "did you mean 'render'?");
 }
 
 TEST_F(Cli, UnusableInputReturnsThree) {
   expect_error("render missing.glb -o a.exr", 3, "missing.glb: there is no such file");
   expect_error("render . -o a.exr", 3, "folder");
-  expect_error("inspect cornel", 3, "cornell-spheres");
+  expect_error("inspect cornel", 3, "did you mean 'cornell'?");
+  expect_error("render cornell --env studo -o a.exr", 3, "did you mean 'studio'?");
   expect_error("frobnicate --offscreen --script steps.json", 3, "steps.json");
   std::fclose(std::fopen((folder_ / "empty.glb").c_str(), "wb"));
   expect_error("inspect empty.glb", 3, "empty");

@@ -22,6 +22,12 @@ TEST(NumberText, SignificantDigits) {
   EXPECT_EQ(format_number(12'345'678, 2), "1.2e+07");
 }
 
+TEST(NumberText, Counts) {
+  EXPECT_EQ(format_count(0, "light", "lights"), "0 lights");
+  EXPECT_EQ(format_count(1, "light", "lights"), "1 light");
+  EXPECT_EQ(format_count(2, "light", "lights"), "2 lights");
+}
+
 TEST(NumberText, Percentages) {
   EXPECT_EQ(format_percent(0.0042), "0.42 %");
   EXPECT_EQ(format_percent(0.031), "3.1 %");

@@ -2,6 +2,7 @@
 //
 // They share no code with the readers and writers under test, and can contain what no writer produces.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -173,6 +174,58 @@ inline FileBytes exr_file(const std::vector<ExrChannel>& channels, const ExrBox&
   }
   for (const FileBytes& line : lines) out += line;
   return out;
+}
+
+// ---- TIFF (revision 6.0), one image directory
+
+enum class TiffType : uint16_t { byte = 1, ascii = 2, uint16 = 3, uint32 = 4, rational = 5, signed_rational = 10 };
+
+struct TiffTag {
+  uint16_t number;
+  TiffType type;
+  uint32_t count;
+  FileBytes values;
+};
+
+template <class T>
+TiffTag tiff_tag(uint16_t number, TiffType type, const std::vector<T>& values) {
+  const bool is_fraction = type == TiffType::rational || type == TiffType::signed_rational;
+  TiffTag tag{number, type, static_cast<uint32_t>(is_fraction ? values.size() / 2 : values.size()), {}};
+  for (const T value : values) append_little_endian(tag.values, value);
+  return tag;
+}
+
+// Tags must be sorted by number. The pixels are one strip, whose offset (tag 273) is added.
+inline FileBytes tiff_file(std::vector<TiffTag> tags, const FileBytes& pixels) {
+  constexpr uint16_t kStripOffsets = 273;
+  const auto offsets =
+      std::find_if(tags.begin(), tags.end(), [](const TiffTag& tag) { return tag.number > kStripOffsets; }) -
+      tags.begin();
+  tags.insert(tags.begin() + offsets, tiff_tag<uint32_t>(kStripOffsets, TiffType::uint32, {0}));
+  const auto start = static_cast<uint32_t>(8 + 2 + 12 * tags.size() + 4);
+  uint32_t length = 0;
+  const auto padded = [](size_t size) { return static_cast<uint32_t>(size + size % 2); };
+  for (const TiffTag& tag : tags)
+    if (tag.values.size() > 4) length += padded(tag.values.size());
+  tags[static_cast<size_t>(offsets)] = tiff_tag<uint32_t>(kStripOffsets, TiffType::uint32, {start + length});
+  FileBytes out("II\x2a\0\x08\0\0\0", 8), data;
+  append_little_endian(out, static_cast<uint16_t>(tags.size()));
+  for (const TiffTag& tag : tags) {
+    append_little_endian(out, tag.number);
+    append_little_endian(out, static_cast<uint16_t>(tag.type));
+    append_little_endian(out, tag.count);
+    FileBytes values = tag.values;
+    if (values.size() <= 4) {
+      values.resize(4);
+      out += values;
+      continue;
+    }
+    append_little_endian(out, static_cast<uint32_t>(start + data.size()));
+    values.resize(padded(values.size()));
+    data += values;
+  }
+  append_little_endian(out, uint32_t{0});
+  return out + data + pixels;
 }
 
 // The bytes of one sample.

@@ -170,6 +170,87 @@ TEST_F(PluginFormats, DirectDrawSurfacesAreRead) {
   EXPECT_EQ(image->bytes, (std::vector<uint8_t>{1, 2, 3, 255, 4, 5, 6, 128}));
 }
 
+// GIF 87a: one pixel with the second colour of a palette of two, compressed as clear, 1, end.
+TEST_F(PluginFormats, GifIsRead) {
+  const FileBytes file = FileBytes("GIF87a\1\0\1\0\x80\0\0", 13) + FileBytes("\1\2\3\x0a\x0b\x0c", 6) +
+                         FileBytes("\x2c\0\0\0\0\1\0\1\0\0", 10) + FileBytes("\2\2\x4c\1\0\x3b", 6);
+  const auto image = decode_image(view(file), "a.gif");
+  ASSERT_TRUE(image) << image.error().message;
+  ASSERT_GE(image->bytes.size(), 3U);
+  EXPECT_EQ((std::vector<uint8_t>(image->bytes.begin(), image->bytes.begin() + 3)), (std::vector<uint8_t>{10, 11, 12}));
+}
+
+// Portable float map: the lower row first, the sign of the scale is that of little-endian numbers.
+TEST_F(PluginFormats, FloatMapsAreRead) {
+  FileBytes file("PF\n1 2\n-1.0\n");
+  for (const float v : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 600.0f}) append_little_endian(file, v);
+  const auto image = decode_image(view(file), "a.pfm");
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->floats, (std::vector<float>{4, 5, 600, 1, 2, 3}));
+}
+
+// ---- Camera raw
+
+// Digital Negative 1.4: a sensor of red, green and blue pixels, all with the same value, and a camera whose colours are
+// those of sRGB.
+FileBytes digital_negative(uint16_t value) {
+  constexpr uint32_t kSize = 64;
+  const auto shorts = [](uint16_t number, const std::vector<uint16_t>& values) {
+    return tiff_tag(number, TiffType::uint16, values);
+  };
+  const auto longs = [](uint16_t number, uint32_t v) { return tiff_tag<uint32_t>(number, TiffType::uint32, {v}); };
+  const auto text = [](uint16_t number, const std::string& s) {
+    return tiff_tag(number, TiffType::ascii, std::vector<char>(s.c_str(), s.c_str() + s.size() + 1));
+  };
+  const std::vector<int32_t> from_xyz{32406, 10000, -15372, 10000, -4986, 10000, -9689, 10000, 18758,
+                                      10000, 415,   10000,  557,   10000, -2040, 10000, 10570, 10000};
+  const std::vector<TiffTag> tags{
+      longs(254, 0),
+      longs(256, kSize),
+      longs(257, kSize),
+      shorts(258, {16}),
+      shorts(259, {1}),
+      shorts(262, {32803}),  // a colour filter array
+      text(271, "Maker"),
+      text(272, "Model"),
+      shorts(274, {1}),
+      shorts(277, {1}),
+      longs(278, kSize),
+      longs(279, 2 * kSize * kSize),
+      shorts(33421, {2, 2}),                                   // red, green
+      tiff_tag<uint8_t>(33422, TiffType::byte, {0, 1, 1, 2}),  // green, blue
+      tiff_tag<uint8_t>(50706, TiffType::byte, {1, 4, 0, 0}),  // version
+      text(50708, "Maker Model"),
+      longs(50717, 65535),                                                // white level
+      tiff_tag(50721, TiffType::signed_rational, from_xyz),               // colour matrix
+      tiff_tag<uint32_t>(50728, TiffType::rational, {1, 1, 1, 1, 1, 1}),  // neutral
+      shorts(50778, {21}),                                                // under D65
+  };
+  FileBytes pixels;
+  for (uint32_t i = 0; i < kSize * kSize; ++i) append_little_endian(pixels, value);
+  return tiff_file(tags, pixels);
+}
+
+TEST_F(PluginFormats, CameraRawFilesAreDeveloped) {
+  const TemporaryFile file("a.dng");
+  for (const uint16_t value : {6554, 32768}) {
+    store(file.path(), digital_negative(value));
+    const auto linear = read_linear(file.path());
+    ASSERT_TRUE(linear) << linear.error().message;
+    const auto& pixels = linear->layers.front().pixels;
+    ASSERT_EQ(pixels.size() % 3, 0U);
+    for (size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(pixels[pixels.size() / 2 / 3 * 3 + c], value / 65535.0, 0.01) << "channel " << c;
+  }
+}
+
+// The file dialog and files that are dropped on the viewer go by the extension.
+TEST(ImageFormats, ExtensionsOfCameraRawAreKnown) {
+  const auto known = image::readable_extensions();
+  for (const char* extension : {".dng", ".nef", ".cr2", ".arw"})
+    EXPECT_TRUE(std::ranges::find(known, extension) != known.end()) << extension;
+}
+
 TEST_F(PluginFormats, ExrFilesAreTextures) {
   const FileBytes half = sample(0.5f), two = sample(2.0f);
   const FileBytes file =

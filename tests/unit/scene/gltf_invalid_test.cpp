@@ -276,9 +276,39 @@ TEST_F(InvalidValues, RepeatedWarningsAreShortened) {
   for (int i = 0; i < 1000; ++i)
     gltf.primitive({{"POSITION", position}, {"_I" + std::to_string(i), position}})["mode"] = 0;
   const auto scene = opened(gltf);
-  EXPECT_EQ(scene.warnings.size(), 5U);
-  EXPECT_TRUE(warns(scene, "996 more of this kind: meshes[].primitives[]: points are not rendered"))
+  EXPECT_EQ(scene.warnings.size(), 1U) << all(scene.warnings);
+  EXPECT_TRUE(warns(scene, "meshes[0].primitives[2], meshes[0].primitives[3] and 996 more: points are not rendered"))
       << all(scene.warnings);
+}
+
+// Four missing textures are one message; of a hundred it names the first ones.
+TEST_F(InvalidValues, MissingImagesAreOneWarning) {
+  for (const int count : {1, 4, 100}) {
+    Gltf gltf;
+    gltf.triangle();
+    std::string names;
+    for (int i = 0; i < count; ++i) {
+      const std::string name = "texture" + std::string(1, static_cast<char>('a' + i % 26)) + std::to_string(i) + ".png";
+      gltf.root["images"].push_back({{"uri", name}});
+      gltf.root["textures"].push_back({{"source", i}});
+      if (i < 4) names += (i > 0 ? ", " : "") + ("images[" + std::to_string(i)) + "] '" + name + "'";
+    }
+    if (count > 4) names += " and 96 more";
+    const auto scene = opened(gltf);
+    EXPECT_EQ(scene.warnings.size(), 1U) << all(scene.warnings);
+    EXPECT_TRUE(warns(scene, names + ": there is no such file; constant factors are used instead"))
+        << all(scene.warnings);
+  }
+}
+
+// A defect that is described with different numbers each time.
+TEST_F(InvalidValues, KindsOfWarningsAreCounted) {
+  Gltf gltf;
+  gltf.triangle();
+  for (int i = 0; i < 50; ++i) gltf.accessor(0, kFloat, "VEC3", 1000 + i);
+  const auto scene = opened(gltf);
+  EXPECT_EQ(scene.warnings.size(), 5U) << all(scene.warnings);
+  EXPECT_TRUE(warns(scene, "46 more of this kind: accessors[]: accessor  ends at byte")) << all(scene.warnings);
 }
 
 TEST_F(InvalidValues, IntegersWrittenAsFloats) {
