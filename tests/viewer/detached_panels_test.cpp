@@ -1,4 +1,6 @@
 // Panels in windows of their own.
+#include <string>
+
 #include "scripted.h"
 
 namespace etendue::detached_panels_test {
@@ -42,6 +44,31 @@ TEST_F(Viewer, TabsOfTheRightColumnAreDetachedByTheirMenu) {
   EXPECT_TRUE(state("edited.json")["detached"].contains("tab.material"));
   EXPECT_TRUE(state("returned.json")["detached"].empty());
   EXPECT_EQ(state("returned.json")["tab"], "tab.material");
+}
+
+// The filter hides the other parameters of its own window only.
+TEST_F(Viewer, DetachedPanelsHaveAFilter) {
+  const json menu{{"do", "click"}, {"item", "tab.material"}, {"button", "right"}};
+  const std::string filter = "detached.tab.material.filter";
+  const auto steps = joined(small(), json::array({click("tab.material"),
+                                                  menu,
+                                                  click("tab-menu.detach"),
+                                                  set("material.5.roughness", 0.25),
+                                                  file_step("state", path("detached.json")),
+                                                  click(filter),
+                                                  {{"do", "type"}, {"text", "roughness"}},
+                                                  file_step("state", path("filtered.json")),
+                                                  click(filter + ".clear"),
+                                                  file_step("state", path("cleared.json"))}));
+  ASSERT_EQ(run(steps, "cornell", 1280, 720), 0);
+  const auto shows = [&](const char* file, const char* item) { return state(file)["items"].contains(item); };
+  for (const char* file : {"detached.json", "cleared.json"}) {
+    EXPECT_TRUE(shows(file, "material.5.roughness")) << file;
+    EXPECT_TRUE(shows(file, "material.5.metallic")) << file;
+  }
+  EXPECT_TRUE(shows("filtered.json", "material.5.roughness"));
+  EXPECT_FALSE(shows("filtered.json", "material.5.metallic"));
+  EXPECT_TRUE(shows("filtered.json", "film.height")) << "a parameter of the column";
 }
 
 }  // namespace

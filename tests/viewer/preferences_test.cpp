@@ -4,6 +4,7 @@
 #include "render/document.h"
 #include "scene/scene.h"
 #include "scripted.h"
+#include "viewer/script/item_registry.h"
 #include "viewer/state/notices.h"
 
 namespace etendue::preferences_test {
@@ -86,6 +87,98 @@ TEST_F(Viewer, PaletteFindsParametersAndValues) {
             0);
   EXPECT_EQ(state("value.json")["parameters"]["display.curve"], "neutral");
   EXPECT_EQ(state("parameter.json")["tab"], "tab.camera");
+}
+
+// Opens the command palette, and chooses the first entry for a text.
+json choose(const std::string& text) {
+  const json wait{{"do", "wait"}, {"seconds", 0.3}};
+  return json::array({key("ctrl+k"), wait, {{"do", "type"}, {"text", text}}, key("enter"), wait});
+}
+
+TEST_F(Preferences, ThePaletteFindsThem) {
+  const std::pair<const char*, const char*> searches[] = {
+      {"font size", "preferences.font-size"}, {"ui scale", "preferences.scale"},
+      {"threads", "preferences.threads"},     {"default environment", "preferences.environment"},
+      {"denoiser", "preferences.denoiser"},   {"environment folder", "preferences.environment-folder"}};
+  // The list of shortcuts was shown last.
+  json steps = joined(choose("edit keyboard shortcuts"),
+                      json::array({file_step("state", path("keyboard.json")), click("preferences.close")}));
+  for (const auto& [text, name] : searches) {
+    steps = joined(steps, choose(text));
+    steps.push_back(file_step("state", path(std::string(name) + ".json")));
+    steps.push_back(click("preferences.close"));
+  }
+  ASSERT_EQ(run_with_settings(joined(joined(steps, choose("theme: light")), choose("denoiser: regression"))), 0);
+  EXPECT_TRUE(state("keyboard.json")["items"].contains("preferences.shortcut.file.open"));
+  for (const auto& [text, name] : searches)
+    EXPECT_TRUE(state(std::string(name) + ".json")["items"].contains(name)) << text;
+  EXPECT_EQ(settings()["dark"], false);
+  EXPECT_EQ(settings()["denoiser"], "regression");
+}
+
+TEST_F(Preferences, AreReset) {
+  const auto right_click = [](const char* item) { return json{{"do", "click"}, {"item", item}, {"button", "right"}}; };
+  const json wait{{"do", "wait"}, {"seconds", 0.3}};
+  const json changes = json::array({set("preferences.font-size", 20), set("preferences.threads", 3),
+                                    set("preferences.theme", "light"), set("preferences.scene-folder", "/tmp")});
+  ASSERT_EQ(run_with_settings(joined(changes, json::array({wait, click("preferences.close")}))), 0);
+  EXPECT_EQ(settings()["font_size"], 20);
+  EXPECT_EQ(settings()["threads"], 3);
+  EXPECT_EQ(settings()["dark"], false);
+  EXPECT_EQ(settings()["scene_folder"], "/tmp");
+  json resets = json::array({click("app.preferences"), wait});
+  for (const char* number : {"preferences.font-size", "preferences.threads"})
+    resets = joined(resets, json::array({{{"do", "click"}, {"item", number}, {"holding", "ctrl"}}, wait}));
+  for (const char* other : {"preferences.theme", "preferences.scene-folder"})
+    resets = joined(resets, json::array({right_click(other), click("menu.reset"), wait}));
+  ASSERT_EQ(run_with_settings(joined(resets, json::array({click("preferences.close")}))), 0);
+  EXPECT_EQ(settings()["font_size"], 16);
+  EXPECT_EQ(settings()["threads"], 0);
+  EXPECT_EQ(settings()["dark"], true);
+  EXPECT_EQ(settings()["scene_folder"], "");
+}
+
+TEST_F(Viewer, PaletteFindsParametersOfPanels) {
+  struct Search {
+    const char *text, *name, *panel;
+  };
+  const Search searches[] = {{"focal length", "lens.focal-length", "tab.camera"},
+                             {"f-number lens", "lens.f-number", "tab.camera"},
+                             {"sensor size", "meter.sensor", "tab.light"},
+                             {"pilot time", "advice.pilot", "tab.render"},
+                             {"view.aov", "view.aov", "tab.display"},
+                             {"repeats conv", "compare.repeats", "panel.convergence"},
+                             {"elementary intervals", "sampling.intervals", "panel.sampling"},
+                             {"shadow rays trace", "trace.shadow-rays", "panel.trace"},
+                             {"burn-in", "lab.sampling.burn-in", "panel.lab"}};
+  json steps = json::array({{{"do", "wait"}, {"spp", 1}}, set("lab.experiment", "markov")});
+  for (const Search& search : searches)
+    steps = joined(joined(steps, choose(search.text)),
+                   json::array({file_step("state", path(std::string(search.name) + ".json"))}));
+  steps = joined(joined(steps, choose("aov: albedo")), choose("experiment: quadrature"));
+  steps.push_back(wait_for("lab"));
+  ASSERT_EQ(run(joined(steps, json::array({file_step("state", path("values.json"))}))), 0);
+  for (const Search& search : searches) {
+    const json report = state(std::string(search.name) + ".json");
+    EXPECT_TRUE(report["tab"] == search.panel || report["bottom_panel"] == search.panel) << search.text;
+    EXPECT_TRUE(report["items"].contains(search.name)) << search.text;
+  }
+  EXPECT_EQ(state("values.json")["parameters"]["view.aov"], "albedo");
+  EXPECT_EQ(state("values.json")["lab"]["experiment"], "quadrature");
+}
+
+// A value that was chosen for a widget that is not on screen is not set when the widget appears later.
+TEST(ItemRegistry, RequestsOfMarkedItemsEndWithTheMark) {
+  viewer::ItemRegistry items;
+  items.point_out("view.aov", "albedo");
+  items.advance(0.1f);
+  EXPECT_EQ(items.take_request("view.aov"), "albedo");
+  items.point_out("view.aov", "albedo");
+  items.advance(10);
+  EXPECT_FALSE(items.take_request("view.aov"));
+  items.request("view.aov", "depth");  // by a script
+  items.advance(10);
+  EXPECT_EQ(items.take_request("view.aov"), "depth");
 }
 
 // Arrow keys scroll the selected entry into view.

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "viewer/layout/detached_panels.h"
 #include "viewer/layout/layout_parts.h"
@@ -47,18 +50,89 @@ void draw_tab(AppState& state, Panel& panel) {
 
 const ImVec2 kTabPadding{10, 5};  // pixels
 
-// The space between tabs: less where they would not fit.
-float tab_distance(const AppState& state, float right) {
-  const float font_size = ImGui::GetFontSize();
+std::vector<Panel*> bottom_panels(const AppState& state) {
+  std::vector<Panel*> panels;
+  for (const auto& panel : state.panels.all())
+    if (panel->info().place == PanelPlace::bottom) panels.push_back(panel.get());
+  return panels;
+}
+
+float tab_width(const Panel& panel) { return ImGui::CalcTextSize(panel.info().label).x; }
+
+// The space between tabs: less where they would not fit into the room.
+float tab_distance(std::span<Panel* const> tabs, float room) {
   float texts = 0;
-  int gaps = -1;
-  for (const auto& panel : state.panels.all()) {
-    if (panel->info().place != PanelPlace::bottom) continue;
-    texts += ImGui::CalcTextSize(panel->info().label).x;
-    ++gaps;
+  for (const Panel* tab : tabs) texts += tab_width(*tab);
+  const float font_size = ImGui::GetFontSize();
+  const auto gaps = static_cast<float>(std::max<size_t>(tabs.size(), 2) - 1);
+  return std::clamp(std::floor((room - texts) / gaps), 0.4f * font_size, 1.4f * font_size);
+}
+
+// Which tabs fit into the room: the tab of the open panel and the chosen one, then the others from the first one on.
+std::vector<bool> fitting_tabs(const AppState& state, std::span<Panel* const> tabs, const Panel* chosen, float distance,
+                               float room) {
+  std::vector<bool> fit(tabs.size());
+  float used = -distance;
+  const auto add = [&](size_t i) {
+    fit[i] = true;
+    used += tab_width(*tabs[i]) + distance;
+  };
+  for (size_t i = 0; i < tabs.size(); ++i)
+    if (tabs[i] == state.panels.open_bottom_panel() || tabs[i] == chosen) add(i);
+  for (size_t i = 0; i < tabs.size(); ++i) {
+    if (fit[i]) continue;
+    if (used + distance + tab_width(*tabs[i]) > room) break;
+    add(i);
   }
-  const float space = (right - 2 * kTabPadding.x - texts) / static_cast<float>(std::max(gaps, 1));
-  return std::clamp(space, 0.4f * font_size, 1.4f * font_size);
+  return fit;
+}
+
+// The tab that was last chosen in the list of hidden tabs or by a script. It stays in the line.
+class ChosenTab {
+ public:
+  Panel* get() const { return static_cast<Panel*>(storage_.GetVoidPtr(id_)); }
+  void set(Panel& panel) { storage_.SetVoidPtr(id_, &panel); }
+
+ private:
+  ImGuiStorage& storage_ = *ImGui::GetStateStorage();
+  ImGuiID id_ = ImGui::GetID("##chosen");
+};
+
+constexpr const char* kMoreTabs = ">>";  // the button that lists the hidden tabs
+
+// Which tabs are in the line, whose room the button shares if not all fit.
+std::vector<bool> shown_tabs(const AppState& state, std::span<Panel* const> tabs, const Panel* chosen, float distance,
+                             float room) {
+  const std::vector<bool> fit = fitting_tabs(state, tabs, chosen, distance, room);
+  if (std::ranges::find(fit, false) == fit.end()) return fit;
+  return fitting_tabs(state, tabs, chosen, distance, room - distance - ImGui::CalcTextSize(kMoreTabs).x);
+}
+
+std::string names_of(std::span<Panel* const> panels) {
+  std::string names;
+  for (const Panel* panel : panels) names += (names.empty() ? "" : ", ") + std::string(panel->info().label);
+  return names;
+}
+
+// A button at the right end of the line that lists the hidden tabs. Returns the tab that was chosen.
+Panel* draw_hidden_tabs(AppState& state, std::span<Panel* const> hidden, float end) {
+  constexpr const char* kHiddenTabs = "##more-tabs";
+  const float width = ImGui::CalcTextSize(kMoreTabs).x;
+  ImGui::SameLine(end - width);
+  if (ImGui::Selectable(kMoreTabs, false, 0, {width, 0})) ImGui::OpenPopup(kHiddenTabs);
+  state.ui.items.add("layout.more-tabs");
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "More panels: " + names_of(hidden));
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y}, ImGuiCond_Appearing, {1, 1});
+  if (!ImGui::BeginPopup(kHiddenTabs)) return nullptr;
+  Panel* chosen = nullptr;
+  for (Panel* panel : hidden) {
+    const PanelInfo info = panel->info();
+    if (ImGui::MenuItem(info.label, nullptr, state.panels.is_detached(*panel))) chosen = panel;
+    state.ui.items.add(std::string("more-tabs.") + info.name);
+    if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  }
+  ImGui::EndPopup();
+  return chosen;
 }
 
 // The upper side resizes an open panel.
@@ -77,7 +151,8 @@ void draw_resize_grip(AppState& state, float top, float right, float bottom) {
   } else {
     draw_grip_dots(draw, {right / 2, top + 2.5f * state.ui.scale}, {6 * state.ui.scale, 0}, state.ui.theme);
   }
-  if (active) state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
+  if (active && ImGui::IsMouseDragging(0))  // not by the clicks that reset it
+    state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
   if (hovered && ImGui::IsMouseDoubleClicked(0)) state.settings.bottom_panel_height = 0;
   ImGui::SetCursorScreenPos(start);
 }
@@ -85,13 +160,27 @@ void draw_resize_grip(AppState& state, float top, float right, float bottom) {
 void draw_tabs(AppState& state, float top, float right, float bottom, bool resizable) {
   begin_window("##bottom-tabs", {0, top}, {right, tab_height()}, kTabPadding);
   if (resizable) draw_resize_grip(state, top, right, bottom);
-  const float distance = tab_distance(state, right);
-  bool first = true;
-  for (const auto& panel : state.panels.all()) {
-    if (panel->info().place != PanelPlace::bottom) continue;
-    if (!first) ImGui::SameLine(0, distance);
-    first = false;
-    draw_tab(state, *panel);
+  const std::vector<Panel*> tabs = bottom_panels(state);
+  const float room = right - 2 * kTabPadding.x, distance = tab_distance(tabs, room);
+  ChosenTab chosen;
+  for (Panel* tab : tabs)
+    if (state.ui.items.scroll_target() == tab->info().name) chosen.set(*tab);
+  const std::vector<bool> shown = shown_tabs(state, tabs, chosen.get(), distance, room);
+  std::vector<Panel*> hidden;
+  bool is_first = true;
+  for (size_t i = 0; i < tabs.size(); ++i) {
+    if (!shown[i]) {
+      hidden.push_back(tabs[i]);
+      continue;
+    }
+    if (!is_first) ImGui::SameLine(0, distance);
+    is_first = false;
+    draw_tab(state, *tabs[i]);
+  }
+  Panel* opened = hidden.empty() ? nullptr : draw_hidden_tabs(state, hidden, right - kTabPadding.x);
+  if (opened) {
+    chosen.set(*opened);
+    state.panels.toggle(*opened);
   }
   end_window();
 }

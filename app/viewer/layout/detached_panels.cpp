@@ -4,14 +4,26 @@
 
 #include <algorithm>
 
+#include "viewer/layout/right_column.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr float kStep = 2;                             // em between the corners of successive windows
+constexpr float kStep = 2;                              // em between the corners of successive windows
 const ImVec2 kColumnPanel{26, 32}, kWidePanel{52, 20};  // size of new windows, em
+
+void draw_content(AppState& state, Panel& panel) {
+  const PanelInfo info = panel.info();
+  if (info.place == PanelPlace::right_column)
+    draw_column_panel(state, panel, std::string("detached.") + info.name + ".filter",
+                      state.interface.detached_filters[info.name]);
+  else if (state.has_document())
+    panel.draw(state);
+  else
+    note(state.ui, "No scene is open.");
+}
 
 void draw_window(AppState& state, Panel& panel, size_t index) {
   const PanelInfo info = panel.info();
@@ -24,15 +36,11 @@ void draw_window(AppState& state, Panel& panel, size_t index) {
   ImGui::SetNextWindowSizeConstraints({12 * em, 8 * em}, ImGui::GetIO().DisplaySize);
   bool stays = true;
   const std::string title = std::string(info.label) + "###detached." + info.name;
-  const bool is_visible = ImGui::Begin(title.c_str(), &stays, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  const bool is_visible =
+      ImGui::Begin(title.c_str(), &stays, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   state.ui.items.add(std::string("detached.") + info.name, {{corner.x, corner.y}, {size.x, ImGui::GetFrameHeight()}});
-  if (is_visible) {
-    if (state.has_document())
-      panel.draw(state);
-    else
-      note(state.ui, "No scene is open.");
-  }
+  if (is_visible) draw_content(state, panel);
   ImGui::End();
   if (!stays) state.panels.attach(panel);
 }

@@ -9,6 +9,7 @@
 #include "render/document.h"
 #include "viewer/layout/bottom_panel.h"
 #include "viewer/layout/detached_panels.h"
+#include "viewer/layout/help_window.h"
 #include "viewer/layout/menu_bar.h"
 #include "viewer/layout/popups.h"
 #include "viewer/layout/right_column.h"

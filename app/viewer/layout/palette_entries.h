@@ -6,7 +6,8 @@
 
 namespace etendue::viewer {
 
-// Enabled actions first, then the parameters of the document, then the options of parameters that are choices.
+// Enabled actions first, then the parameters of the document, of the panels and of the preferences, then the options of
+// parameters that are choices.
 std::vector<PaletteEntry> palette_entries(const AppState& state);
 
 }  // namespace etendue::viewer

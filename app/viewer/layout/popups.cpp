@@ -3,12 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "render/session.h"
 #include "viewer/files/file_names.h"
@@ -23,83 +20,6 @@ namespace {
 constexpr ImGuiWindowFlags kPopup = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-
-struct MouseShortcut {
-  const char* effect;
-  const char* input;
-};
-
-constexpr MouseShortcut kMouseShortcuts[] = {
-    {"Orbit", "left drag"},
-    {"Pan", "middle drag, Shift + left drag"},
-    {"Dolly to the pointer", "wheel"},
-    {"Fly; wheel for speed", "right drag + W A S D Q E"},
-    {"Turn the environment", "Shift + right drag"},
-    {"Select", "click"},
-    {"Focus and orbit centre", "double click"},
-    {"Context menu", "right click"},
-    {"Divider of A and B", "drag; double click to centre"},
-    {"Show the reference", "hold Shift"},
-    {"Samples of a pixel", "Ctrl + click with Sampling panel"},
-    {"Enter a number", "double click"},
-    {"Reset a parameter", "Ctrl + click"},
-    {"Open a file", "drop it on the window"},
-};
-
-struct ShortcutRow {
-  std::string effect, input;
-};
-using ShortcutRows = std::vector<ShortcutRow>;
-
-// Actions with shortcuts: those of the menu Integrator, or those of all other menus.
-std::vector<const Action*> actions_with_shortcuts(const AppState& state, bool integrators) {
-  std::vector<const Action*> list;
-  for (const auto& action : state.actions.all())
-    if (!action.shortcut.empty() && (action.menu == "Integrator") == integrators) list.push_back(&action);
-  return list;
-}
-
-ShortcutRows rows_of(std::span<const Action* const> actions) {
-  ShortcutRows rows;
-  for (const Action* action : actions) rows.push_back({action->label, label(action->chords())});
-  return rows;
-}
-
-// Three columns of about equal height: mouse and integrators, and the other actions in two halves.
-std::array<ShortcutRows, 3> help_columns(const AppState& state) {
-  ShortcutRows first;
-  for (const auto& shortcut : kMouseShortcuts) first.push_back({shortcut.effect, shortcut.input});
-  for (ShortcutRow& row : rows_of(actions_with_shortcuts(state, true))) first.push_back(std::move(row));
-  const auto others = actions_with_shortcuts(state, false);
-  const auto half = std::span(others).first((others.size() + 1) / 2);
-  return {first, rows_of(half), rows_of(std::span(others).subspan(half.size()))};
-}
-
-float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
-
-// The widest text in front of the inputs.
-float effect_width(const ShortcutRows& rows) {
-  float width = 0;
-  for (const ShortcutRow& row : rows) width = std::max(width, text_width(row.effect));
-  return width;
-}
-
-// Draws a column with its upper left corner at the cursor, and returns its width.
-float draw_shortcuts(const ShortcutRows& rows) {
-  const ImVec2 corner = ImGui::GetCursorPos();
-  const float height = std::floor(ImGui::GetFontSize() * 1.35f);
-  const float inputs = effect_width(rows) + ImGui::GetFontSize();
-  float width = 0, y = corner.y;
-  for (const ShortcutRow& row : rows) {
-    ImGui::SetCursorPos({corner.x, y});
-    ImGui::TextUnformatted(row.effect.c_str());
-    ImGui::SetCursorPos({corner.x + inputs, y});
-    ImGui::TextDisabled("%s", row.input.c_str());
-    width = std::max(width, inputs + text_width(row.input));
-    y += height;
-  }
-  return width;
-}
 
 // A bar that moves back and forth, because the duration is unknown.
 void draw_activity_bar(double seconds, float width) {
@@ -117,31 +37,6 @@ void draw_activity_bar(double seconds, float width) {
 }
 
 }  // namespace
-
-void draw_help(AppState& state) {
-  bool& open = state.interface.help_open;
-  if (!open) return;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x - em, screen.y - em});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
-  // Scrolls only where the window is smaller than the list.
-  ImGui::Begin("##help", nullptr, (kPopup & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_HorizontalScrollbar);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(state.ui.theme.accent, "Keyboard and mouse shortcuts");
-  ImGui::SameLine(0, 2 * em);
-  if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
-  state.ui.items.add("help.close");
-  ImVec2 corner = ImGui::GetCursorPos();
-  for (const ShortcutRows& rows : help_columns(state)) {
-    ImGui::SetCursorPos(corner);
-    corner.x += draw_shortcuts(rows) + 2 * em;
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-}
 
 void draw_loading(AppState& state) {
   Loader& loader = *state.files.loader;

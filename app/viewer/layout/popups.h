@@ -1,11 +1,10 @@
-// Windows over the viewport: the list of shortcuts, the progress of opening a file, and notices.
+// Windows over the viewport: the progress of opening a file, and notices.
 #pragma once
 
 namespace etendue::viewer {
 
 struct AppState;
 
-void draw_help(AppState& state);
 void draw_loading(AppState& state);
 void draw_notices(AppState& state);
 

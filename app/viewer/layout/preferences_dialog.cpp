@@ -10,7 +10,7 @@
 #include "viewer/state/preferences.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/dialog.h"
-#include "viewer/widgets/number_widget.h"
+#include "viewer/widgets/parameter_field.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
 
@@ -20,45 +20,28 @@ namespace {
 constexpr const char* kName = "##preferences";
 
 void preference_widgets(AppState& state, const std::vector<ParameterInfo>& parameters) {
-  for (const ParameterInfo& info : parameters) {
-    const auto value = parameter_widget(state, info);
-    if (!value) continue;
-    assign_preference(state.settings, info.name, *value);
-    state.interface.style_is_outdated = true;
-    state.store_settings();
-  }
+  for (const ParameterInfo& info : parameters)
+    if (const auto value = parameter_widget(state, info)) set_preference(state, info.name, *value);
 }
 
-// A field for a folder; `fallback` is used while it is empty.
-void draw_folder(AppState& state, const char* label, const char* item, const std::string& fallback,
-                 const char* tooltip_text, std::string& folder) {
-  ImGui::PushID(item);
-  label_column(label);
-  ImGui::InputTextWithHint("##folder", fallback.c_str(), &folder);
+// A text field for a folder. Its text is used while it is typed, and kept when editing ends.
+void draw_folder(AppState& state, const ParameterInfo& info) {
+  std::string folder = std::get<std::string>(info.default_value);
+  ImGui::PushID(info.name.c_str());
+  parameter_label(state.ui, info.name, info.label);
+  if (ImGui::InputTextWithHint("##folder", info.option_labels.front().c_str(), &folder))
+    assign_preference(state.settings, info.name, folder);
   if (ImGui::IsItemDeactivatedAfterEdit()) state.store_settings();
-  state.ui.items.add(item);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, tooltip_text);
-  if (const auto text = state.ui.items.take_request(item)) {
-    folder = *text;
-    state.store_settings();
-    state.ui.items.answer("");
-  }
+  describe_item(state.ui, info);
+  if (parameter_menu(state, info)) set_preference(state, info.name, *default_preference(info.name));
+  if (const auto value = take_requested_value(state.ui, info)) set_preference(state, info.name, *value);
   std::error_code code;
   if (!folder.empty() && !std::filesystem::is_directory(folder, code)) warning(state.ui, "This folder does not exist.");
   ImGui::PopID();
 }
 
 void draw_files(AppState& state) {
-  Settings& settings = state.settings;
-  const std::string last = "Folder of the last file";
-  draw_folder(state, "Snapshots", "preferences.snapshot-folder", default_snapshot_folder().string(),
-              "Folder to which Save snapshot writes its images", settings.snapshot_folder);
-  draw_folder(state, "Materials", "preferences.material-folder", default_material_folder().string(),
-              "Folder of the material library", settings.material_folder);
-  draw_folder(state, "Scenes", "preferences.scene-folder", last, "Folder in which the dialog for opening scenes starts",
-              settings.scene_folder);
-  draw_folder(state, "Environments", "preferences.environment-folder", last,
-              "Folder in which the dialog for environment maps starts", settings.environment_folder);
+  for (const ParameterInfo& info : folder_preferences(state.settings)) draw_folder(state, info);
   ImGui::BeginDisabled(state.settings.recent.empty());
   if (ImGui::Button("Clear recent files")) {
     state.settings.recent.clear();
@@ -85,6 +68,17 @@ void reset_all_shortcuts(AppState& state) {
 }
 
 }  // namespace
+
+void set_preference(AppState& state, const std::string& name, const Value& value) {
+  assign_preference(state.settings, name, value);
+  state.interface.style_is_outdated = true;
+  state.store_settings();
+}
+
+void show_preference(AppState& state, const std::string& name) {
+  state.interface.preferences_open = true;
+  state.ui.items.point_out(name);
+}
 
 void PreferencesDialog::capture_shortcut(AppState& state) {
   const Input& input = state.ui.input;
@@ -154,19 +148,24 @@ void PreferencesDialog::draw(AppState& state) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   if (!begin_dialog(kName, {std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 36)})) return;
+  const bool is_appearing = ImGui::IsWindowAppearing();
   ImGui::TextColored(state.ui.theme.accent, "Preferences");
   const bool was_capturing = !capturing_.empty();
   const float footer = ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("##content", {0, -footer});
   if (ImGui::BeginTabBar("##tabs")) {
-    if (ImGui::BeginTabItem("Interface")) {
+    const bool shows_widget = is_appearing && !state.ui.items.pointed_out().empty();
+    if (ImGui::BeginTabItem("Interface", nullptr, shows_widget ? ImGuiTabItemFlags_SetSelected : 0)) {
       preference_widgets(state, interface_preferences(state.settings));
       ImGui::Spacing();
       preference_widgets(state, rendering_preferences(state.settings));
       draw_files(state);
       ImGui::EndTabItem();
     }
-    if (ImGui::BeginTabItem("Keyboard")) {
+    bool& is_requested = state.interface.keyboard_is_requested;
+    const ImGuiTabItemFlags flags = is_requested ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
+    is_requested = false;
+    if (ImGui::BeginTabItem("Keyboard", nullptr, flags)) {
       draw_keyboard(state);
       ImGui::EndTabItem();
     }

@@ -2,6 +2,8 @@
 #pragma once
 #include <string>
 
+#include "base/parameter.h"
+
 namespace etendue::viewer {
 
 struct Action;
@@ -21,5 +23,10 @@ class PreferencesDialog {
   std::string filter_;     // of the list of shortcuts
   std::string capturing_;  // name of the action whose shortcut is entered; empty: none
 };
+
+// Changes a preference, which is then kept.
+void set_preference(AppState& state, const std::string& name, const Value& value);
+// Opens the dialog and marks the widget of a preference.
+void show_preference(AppState& state, const std::string& name);
 
 }  // namespace etendue::viewer

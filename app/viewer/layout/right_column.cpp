@@ -35,20 +35,6 @@ void push_tab_style(float scale) {
 }
 void pop_tab_style() { ImGui::PopStyleVar(2); }
 
-void draw_panel(AppState& state, Panel& panel) {
-  filter_box(state.ui, "layout.filter", "Filter parameters and objects", state.interface.panel_filter);
-  ImGui::BeginChild("##panel");
-  state.ui.filter = lower_case(state.interface.panel_filter);
-  if (state.has_document())
-    panel.draw(state);
-  else if (state.files.loader->is_busy())
-    note(state.ui, "Opening the scene.");
-  else
-    note(state.ui, "Open a scene with Ctrl+O, or drop a file on the window.");
-  state.ui.filter.clear();
-  ImGui::EndChild();
-}
-
 void draw_tab(AppState& state, Panel& panel, bool select) {
   const PanelInfo info = panel.info();
   const bool open = ImGui::BeginTabItem(info.label, nullptr, select ? ImGuiTabItemFlags_SetSelected : 0);
@@ -59,7 +45,7 @@ void draw_tab(AppState& state, Panel& panel, bool select) {
   if (!open) return;
   state.panels.set_selected_tab(panel);
   pop_tab_style();
-  draw_panel(state, panel);
+  draw_column_panel(state, panel, "layout.filter", state.interface.panel_filter);
   push_tab_style(state.ui.scale);
   ImGui::EndTabItem();
 }
@@ -83,6 +69,7 @@ void draw_splitter(AppState& state, float x, float top, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin("##splitter", nullptr, kFixedWindow | ImGuiWindowFlags_NoBackground);
+  ImGui::PopStyleVar(2);  // which are not those of the tooltip
   ImGui::InvisibleButton("##grip", {grip, height});
   state.ui.items.add("layout.column");
   const bool pointed_at = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -94,14 +81,27 @@ void draw_splitter(AppState& state, float x, float top, float height) {
   } else {
     draw_grip_dots(draw, {x, top + height / 2}, {0, 6 * state.ui.scale}, state.ui.theme);
   }
-  if (ImGui::IsItemActive())
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0))  // not by the clicks that reset it
     state.settings.column_width = (ImGui::GetIO().DisplaySize.x - state.ui.input.mouse.x) / state.ui.scale;
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) state.settings.column_width = 0;
   ImGui::End();
-  ImGui::PopStyleVar(2);
 }
 
 }  // namespace
+
+void draw_column_panel(AppState& state, Panel& panel, const std::string& item, std::string& filter) {
+  filter_box(state.ui, item, "Filter parameters and objects", filter);
+  ImGui::BeginChild("##panel");
+  state.ui.filter = lower_case(filter);
+  if (state.has_document())
+    panel.draw(state);
+  else if (state.files.loader->is_busy())
+    note(state.ui, "Opening the scene.");
+  else
+    note(state.ui, "Open a scene with Ctrl+O, or drop a file on the window.");
+  state.ui.filter.clear();
+  ImGui::EndChild();
+}
 
 float draw_right_column(AppState& state, float top, float bottom) {
   const float screen_width = ImGui::GetIO().DisplaySize.x;

@@ -86,14 +86,15 @@ void focus_checkbox(AppState& state) {
 
 // The lens in the terms of photography. Lengths are in millimetres.
 struct PhotographicLens {
-  Number<float> sensor_height{"lens.sensor-height",
-                              "Sensor height",
-                              static_cast<float>(kFullFrameHeight),
-                              {0.1f, 1000},
-                              "Converts angles of view to focal lengths; it does not change the image. 24 is full frame, 15.6 "
-                              "APS-C, 13 Micro Four Thirds",
-                              "mm",
-                              Scale::logarithmic};
+  Number<float> sensor_height{
+      "lens.sensor-height",
+      "Sensor height",
+      static_cast<float>(kFullFrameHeight),
+      {0.1f, 1000},
+      "Converts angles of view to focal lengths; it does not change the image. 24 is full frame, 15.6 "
+      "APS-C, 13 Micro Four Thirds",
+      "mm",
+      Scale::logarithmic};
   Number<float> focal_length{"lens.focal-length",
                              "Focal length",
                              50,
@@ -101,14 +102,15 @@ struct PhotographicLens {
                              "Longer lenses have a smaller field of view. The f-number stays",
                              "mm",
                              Scale::logarithmic};
-  Number<float> f_number{"lens.f-number",
-                         "f-number",
-                         0,
-                         {0, 1e6f},
-                         "Focal length divided by the diameter of the lens. Smaller numbers have a shallower depth of field; "
-                         "0: pinhole",
-                         "",
-                         Scale::logarithmic};
+  Number<float> f_number{
+      "lens.f-number",
+      "f-number",
+      0,
+      {0, 1e6f},
+      "Focal length divided by the diameter of the lens. Smaller numbers have a shallower depth of field; "
+      "0: pinhole",
+      "",
+      Scale::logarithmic};
   auto all() { return std::tie(sensor_height, focal_length, f_number); }
 
   void read(const Camera& camera) {
@@ -149,8 +151,7 @@ class CameraPanel final : public Panel {
       section_widgets_for(state, "camera", {"lens-radius", "focus-distance", "shutter"});
       focus_checkbox(state);
     }
-    const bool perspective = state.document().camera.projection == Projection::perspective;
-    if (perspective && group(ui, "Photographic lens", "lens.", false)) draw_photographic_lens(state);
+    if (group(ui, "Photographic lens", "lens.", false)) draw_photographic_lens(state);
     if (group(ui, "Position", "camera.eye.")) section_widgets_for(state, "camera", {"eye.x", "eye.y", "eye.z"});
     const bool axis_requested = ui.items.is_requested_below("camera.right") ||
                                 ui.items.is_requested_below("camera.up") || ui.items.is_requested_below("camera.back");
@@ -161,6 +162,16 @@ class CameraPanel final : public Panel {
   }
 
   std::vector<ParameterInfo> parameters() const override { return describe_all(PhotographicLens().all()); }
+
+  // The lens of the opened file, by the sensor that is set now.
+  std::optional<Value> default_value(const AppState& state, const std::string& name) const override {
+    PhotographicLens lens;
+    if (name != lens.sensor_height.name) lens.sensor_height = lens_.sensor_height;
+    if (const auto& origin = state.document().origin) lens.read(origin->camera);
+    const auto list = describe_all(lens.all());
+    const ParameterInfo* info = find_parameter(list, name);
+    return info ? std::optional(info->default_value) : std::nullopt;
+  }
 
   std::vector<ItemInfo> items() const override {
     return {{"camera.choose", "Camera", "Opens the list of the cameras of the file"},
@@ -176,6 +187,8 @@ class CameraPanel final : public Panel {
  private:
   // Focal length and f-number are edits of the field of view and the lens radius.
   void draw_photographic_lens(AppState& state) {
+    if (state.document().camera.projection != Projection::perspective)
+      return note(state.ui, "Only perspective cameras have a focal length and an f-number.");
     lens_.read(state.document().camera);
     const auto edited = [&](Number<float>& number) {
       const auto value = parameter_widget(state, describe(number));

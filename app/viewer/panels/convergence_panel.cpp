@@ -17,9 +17,8 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/value_text.h"
-#include "viewer/widgets/parameter_field.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -31,15 +30,9 @@ void compact_parameter(AppState& state, Choice<E>& choice, float width) {
   if (const auto value = compact_choice(state, describe(choice), width)) assign(choice, *value);
 }
 
-// A drag field: the value would not be legible on a slider of this width.
 template <class T>
 void compact_parameter(AppState& state, Number<T>& number, float width) {
-  const ParameterInfo info = describe(number);
-  const float speed = std::max(0.02f, 0.01f * static_cast<float>(number.value));
-  ImGui::PushID(info.name.c_str());
-  ImGui::SetNextItemWidth(width);
-  if (const auto edit = number_field(state.ui, info, speed); edit.value) assign(number, *edit.value);
-  ImGui::PopID();
+  if (const auto value = compact_number(state, describe(number), width)) assign(number, *value);
 }
 
 // A choice with the entries of a registry.
@@ -79,7 +72,8 @@ constexpr Column kColumns[] = {
      "End of the curve: the median of the complete repeats, in the measure chosen below. The error of the reference is "
      "subtracted"},
     {"slope",
-     "Slope of the logarithm of the error over the logarithm of the horizontal axis, with its standard error over repeats. Independent "
+     "Slope of the logarithm of the error over the logarithm of the horizontal axis, with its standard error over "
+     "repeats. Independent "
      "random numbers give -0.5, low-discrepancy points are steeper, bias makes the curve flat"},
     {"eff.", "Efficiency 1 / (squared error x time), relative to the best method"},
     {"spp", "Samples per pixel of the complete repeats, median"},
@@ -166,9 +160,8 @@ void value_cells(const AppState& state, const bench::LiveBenchmarkSnapshot& snap
   if (ImGui::IsItemHovered())
     tooltip(ui, formatted("Median of %zu of %zu repeats", figures.end.repeats, method.corrected.repeats.size()));
   cell(slope_text(figures.slope));
-  cell(figures.efficiency.known
-           ? formatted("%.2f", figures.efficiency.value / best_efficiency(snapshot, axis, measure))
-           : "");
+  cell(figures.efficiency.known ? formatted("%.2f", figures.efficiency.value / best_efficiency(snapshot, axis, measure))
+                                : "");
   cell(formatted("%.0f", figures.end.spp));
   cell(formatted("%.1f", figures.end.seconds));
 }
@@ -186,21 +179,21 @@ class ConvergencePanel final : public Panel {
     task_.propose_methods(state.document());
     const float em = ImGui::GetFontSize();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float list_width = std::min(std::max(width * 0.46f, em * 30), width * 0.62f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.4f, em * 0.25f});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em * 0.4f, em * 0.1f});
-    ImGui::BeginChild("##list", {list_width, 0});
-    draw_budget(state);
-    draw_progress(state.ui);
-    draw_methods(state);
-    draw_new_method(state);
-    draw_chart_parameters(state);
-    draw_reference_status(state.ui);
-    ImGui::EndChild();
-    ImGui::SameLine(0, em);
-    ImGui::BeginChild("##chart");
-    if (const auto chosen = draw_convergence_chart(state.ui, task_)) use_method(state, task_.result()->methods[*chosen].name);
-    ImGui::EndChild();
+    if (width < em * (kListWidth + 1 + kChartWidth)) {
+      draw_list(state);
+      const float rest = ImGui::GetContentRegionAvail().y;
+      draw_chart(state, {width, std::max(rest, std::min(em * kChartHeight, ImGui::GetWindowHeight()))});
+    } else {
+      ImGui::BeginChild("##list", {std::max(width * 0.46f, em * kListWidth), 0});
+      draw_list(state);
+      ImGui::EndChild();
+      ImGui::SameLine(0, em);
+      ImGui::BeginChild("##chart");
+      draw_chart(state, ImGui::GetContentRegionAvail());
+      ImGui::EndChild();
+    }
     ImGui::PopStyleVar(2);
   }
 
@@ -216,6 +209,7 @@ class ConvergencePanel final : public Panel {
     return {{"compare.add", "Add", "Adds the selected integrator and sampler to the list of methods"},
             {"compare.a.N", "A", "Shows the image of method N to the left of the divider"},
             {"compare.b.N", "B", "Shows the image of method N to the right of the divider"},
+            {"compare.method.N", "Method", "Method N of the list. The tooltip has its name for etendue bench"},
             {"compare.remove.N", "Remove", "Removes method N from the list"},
             {"compare.chart", "Chart", "The error curves. Move the pointer over the chart to read values"},
             {"compare.point.N", "Point", "Method N in the Pareto chart. A click uses the method"}};
@@ -229,6 +223,23 @@ class ConvergencePanel final : public Panel {
   std::vector<Task*> tasks() override { return {&task_}; }
 
  private:
+  // The least sizes of the list and of the chart, times the font size. In narrower panels, the chart is below the list.
+  static constexpr float kListWidth = 30, kChartWidth = 20, kChartHeight = 14;
+
+  void draw_list(AppState& state) {
+    draw_budget(state);
+    draw_progress(state.ui);
+    draw_methods(state);
+    draw_new_method(state);
+    draw_chart_parameters(state);
+    draw_reference_status(state.ui);
+  }
+
+  void draw_chart(AppState& state, const ImVec2& size) {
+    if (const auto chosen = draw_convergence_chart(state.ui, task_, size))
+      use_method(state, task_.result()->methods[*chosen].name);
+  }
+
   void draw_budget(AppState& state) {
     auto& parameters = task_.parameters;
     const float em = ImGui::GetFontSize();
@@ -301,6 +312,7 @@ class ConvergencePanel final : public Panel {
     const auto index = task_.index_in_result(spec);
     color_swatch(index.value_or(row));
     draw_wrapped(method_label(spec));
+    ui.items.add("compare.method." + std::to_string(row));
     if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
     if (index)
       value_cells(state, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);
@@ -379,8 +391,9 @@ class ConvergencePanel final : public Panel {
     if (std::isfinite(snapshot->reference_error)) text += formatted(", standard error %.2g", snapshot->reference_error);
     note(ui, text);
     if (snapshot->too_noisy)
-      warning(ui, formatted("Reference too noisy: errors below about %.2g are uncertain. Continue to refine it.",
-                            metrics::smallest_certain_rmse(snapshot->reference_noise.value_or(metrics::ReferenceNoise{}))));
+      warning(ui,
+              formatted("Reference too noisy: errors below about %.2g are uncertain. Continue to refine it.",
+                        metrics::smallest_certain_rmse(snapshot->reference_noise.value_or(metrics::ReferenceNoise{}))));
     ImGui::PopFont();
   }
 

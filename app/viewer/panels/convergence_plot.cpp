@@ -183,11 +183,13 @@ class CrossHair {
 
 void draw_placeholder(const UiContext& ui, bool running, const ImVec2& corner, const ImVec2& size) {
   const char* text = running ? "Waiting for the first results."
-                             : "Start comparison renders the methods in turns\nand plots their errors here.";
-  const ImVec2 text_size = ImGui::CalcTextSize(text);
+                             : "Start comparison renders the methods in turns and plots their errors here.";
+  const float wrap_width = std::min(size.x, 24 * ImGui::GetFontSize());
+  const ImVec2 text_size = ImGui::CalcTextSize(text, nullptr, false, wrap_width);
   ImGui::GetWindowDrawList()->AddText(
+      ImGui::GetFont(), ImGui::GetFontSize(),
       {corner.x + (size.x - text_size.x) * 0.5f, corner.y + (size.y - text_size.y) * 0.5f},
-      ImGui::GetColorU32(ui.theme.secondary_text), text);
+      ImGui::GetColorU32(ui.theme.secondary_text), text, nullptr, wrap_width);
 }
 
 // In the lower left corner, which is free because errors decrease.
@@ -238,9 +240,8 @@ std::optional<size_t> draw_pareto_chart(UiContext& ui, const ConvergenceTask& ta
 
 }  // namespace
 
-std::optional<size_t> draw_convergence_chart(UiContext& ui, const ConvergenceTask& task) {
+std::optional<size_t> draw_convergence_chart(UiContext& ui, const ConvergenceTask& task, const ImVec2& size) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < 80 || size.y < 60) return std::nullopt;
   ImGui::InvisibleButton("##plot", size);
   ImGui::SetItemAllowOverlap();  // the dots of the Pareto chart are buttons

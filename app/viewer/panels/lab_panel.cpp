@@ -29,6 +29,9 @@ constexpr const char* kExportExperiment = "lab.export";
 constexpr float kControlsBeside = 48, kNumbersBeside = 60;
 constexpr float kMinChartWidth = 15, kMinChartHeight = 12;  // em
 
+constexpr Number<int> kSeed{
+    "lab.seed", "Seed", 0, {0, 65535}, "Seed of the random numbers; another seed gives independent noise"};
+
 metrics::Color faded(metrics::Color color, double opacity) {
   color.opacity *= opacity;
   return color;
@@ -90,13 +93,19 @@ class LabPanel final : public Panel {
 
   std::vector<ParameterInfo> parameters() const override {
     std::vector<ParameterInfo> list{experiment_choice(experiments::experiments().front().description.name),
-                                    describe(seed_)};
+                                    describe(kSeed)};
     for (const Experiment& e : experiments::experiments())
       for (ParameterInfo p : e.parameters) {
         p.name = experiment_prefix(e) + p.name;
         list.push_back(std::move(p));
       }
     return list;
+  }
+
+  std::string place_of(const std::string& parameter) const override {
+    for (const Experiment& e : experiments::experiments())
+      if (parameter.starts_with(experiment_prefix(e))) return "Lab: " + std::string(e.description.label);
+    return Panel::place_of(parameter);
   }
 
   std::vector<ItemInfo> items() const override {
@@ -331,8 +340,7 @@ class LabPanel final : public Panel {
   LabTask task_;
   std::string selected_ = experiments::experiments().front().description.name;
   std::map<std::string, Value> values_;  // of parameters that were set, by their full names
-  Number<int> seed_{
-      "lab.seed", "Seed", 0, {0, 65535}, "Seed of the random numbers; another seed gives independent noise"};
+  Number<int> seed_ = kSeed;
 };
 
 }  // namespace

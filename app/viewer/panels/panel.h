@@ -46,8 +46,10 @@ class Panel {
   virtual void draw(AppState& state) = 0;
 
   // --- What the panel adds to lists
-  // Parameters of the panel itself, as opposed to those of the document.
+  // Parameters of the panel itself, as opposed to those of the document, with their defaults.
   virtual std::vector<ParameterInfo> parameters() const { return {}; }
+  // Where a parameter of the panel is, for the command palette.
+  virtual std::string place_of(const std::string& /*parameter*/) const { return info().label; }
   // Items that are neither actions nor parameters. N in a name stands for a number.
   virtual std::vector<ItemInfo> items() const { return {}; }
   virtual void add_actions(ActionList&) {}
@@ -59,6 +61,13 @@ class Panel {
   virtual bool reveal_parameter(AppState&, const std::string& name) {
     const auto list = parameters();
     return find_parameter(list, name) != nullptr;
+  }
+
+  // The value to which a parameter of the panel itself is reset; nothing if it has no such parameter.
+  virtual std::optional<Value> default_value(const AppState&, const std::string& name) const {
+    const auto list = parameters();
+    const ParameterInfo* info = find_parameter(list, name);
+    return info ? std::optional(info->default_value) : std::nullopt;
   }
 
   // --- Background work

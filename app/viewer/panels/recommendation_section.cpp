@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/number_text.h"
 #include "advisor/report_numbers.h"
+#include "base/number_text.h"
 #include "render/display_frame.h"
 #include "viewer/actions/action.h"
 #include "viewer/state/app_state.h"
@@ -17,8 +17,8 @@
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -57,16 +57,20 @@ void RecommendationSection::draw(AppState& state) {
 }
 
 void RecommendationSection::draw_parameters(AppState& state) {
-  const auto infos = task_.describe_parameters(&state.document());
-  if (const auto error = parameter_widget(state, infos[0]))
-    task_.parameters.error = static_cast<float>(std::get<double>(*error));
+  const auto infos = task_.describe_parameters(state.document());
+  if (const auto error = parameter_widget(state, infos[0])) {
+    const auto target = static_cast<float>(std::get<double>(*error));
+    // The default follows the document.
+    task_.parameters.error = target == task_.default_target(state.document()) ? std::nullopt : std::optional(target);
+  }
   if (const auto pilot = parameter_widget(state, infos[1])) assign(task_.parameters.pilot, *pilot);
   if (!task_.running()) {
     const size_t methods = advisor::candidates(state.document()).size();
     note(state.ui, formatted("Takes at most %s: a pilot for each of up to %zu methods. A shorter pilot time gives less "
                              "certain predictions.",
                              advisor::seconds_text(static_cast<double>(methods) *
-                                                   static_cast<double>(task_.parameters.pilot.value)).c_str(),
+                                                   static_cast<double>(task_.parameters.pilot.value))
+                                 .c_str(),
                              methods));
     return action_button(state, "advice.ask");
   }
@@ -151,6 +155,12 @@ void RecommendationSection::add_actions(ActionList& actions) {
                .tooltip = "Stops the pilots. The ranking of the completed pilots stays",
                .run = [this](AppState& state) { task_.cancel(state.task_context); },
                .enabled = [this](const AppState&) { return task_.running(); }});
+}
+
+std::optional<Value> RecommendationSection::default_value(const AppState& state, const std::string& name) const {
+  const auto list = task_.describe_defaults(&state.document());
+  const ParameterInfo* info = find_parameter(list, name);
+  return info ? std::optional(info->default_value) : std::nullopt;
 }
 
 std::vector<ItemInfo> RecommendationSection::items() const {

@@ -1,6 +1,8 @@
 // The group of the Render panel that recommends an integrator.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "viewer/panels/panel.h"
@@ -13,7 +15,8 @@ class RecommendationSection {
   void draw(AppState& state);
   void add_actions(ActionList& actions);
   std::vector<ItemInfo> items() const;
-  std::vector<ParameterInfo> parameters() const { return task_.describe_parameters(nullptr); }
+  std::vector<ParameterInfo> parameters() const { return task_.describe_defaults(nullptr); }
+  std::optional<Value> default_value(const AppState& state, const std::string& name) const;
   WaitCondition wait_condition();
   nlohmann::json report(const AppState& state) const;
 

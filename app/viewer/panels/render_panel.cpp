@@ -71,6 +71,9 @@ class RenderPanel final : public Panel {
   }
 
   std::vector<ParameterInfo> parameters() const override { return recommendation_.parameters(); }
+  std::optional<Value> default_value(const AppState& state, const std::string& name) const override {
+    return recommendation_.default_value(state, name);
+  }
   std::vector<ItemInfo> items() const override { return recommendation_.items(); }
   void add_actions(ActionList& actions) override {
     recommendation_.add_actions(actions);
@@ -117,7 +120,8 @@ class RenderPanel final : public Panel {
   bool reveal_parameter(AppState& state, const std::string& name) override {
     const std::string section = name.substr(0, name.find('.'));
     // The integrator "light" has the name of the sections of lights, "light.0", and of the Light panel's own parameters.
-    const bool is_method = !object_index(name, section) && (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
+    const bool is_method = !object_index(name, section) &&
+                           (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
                            render::get(state.document(), name);
     return is_method || section == "render" || section == "auto" || section == "film" || section == "model" ||
            Panel::reveal_parameter(state, name);

@@ -1,4 +1,5 @@
-// The viewer without a display: an EGL context without a surface, on a device, or with a small buffer, whichever works.
+// The viewer without a display: an EGL context without a surface, on a device, or with a small buffer, whichever works. The
+// scale of the interface is that of a display of the same size.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -7,6 +8,7 @@
 #include <condition_variable>
 #include <vector>
 
+#include "viewer/platform/display_scale.h"
 #include "viewer/platform/platform.h"
 
 namespace etendue::viewer {
@@ -36,7 +38,7 @@ class Offscreen final : public Platform {
   }
 
   Vec2i size() const override { return size_; }
-  float scale() const override { return 1; }
+  float scale() const override { return scale_for_height(size_.y); }
   GLuint framebuffer() const override { return framebuffer_; }
   bool has_display() const override { return false; }
 

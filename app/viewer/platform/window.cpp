@@ -2,10 +2,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "viewer/platform/display_scale.h"
 #include "viewer/platform/platform.h"
 
 namespace etendue::viewer {
@@ -56,7 +55,7 @@ class Window final : public Platform {
   float scale() const override {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return x > 0 && x != 1 ? x : scale_for_height();
+    return x > 0 && x != 1 ? x : scale_of_display();
   }
   GLuint framebuffer() const override { return 0; }
   bool has_display() const override { return true; }
@@ -94,14 +93,10 @@ class Window final : public Platform {
   }
 
  private:
-  // 1 up to a height of 1200 pixels, 1.25 at 1440, 2 at 2160.
-  static float scale_for_height() {
-    constexpr float kUsualHeight = 1080;
+  static float scale_of_display() {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-    if (!mode) return 1;
-    const float ratio = static_cast<float>(mode->height) / kUsualHeight;
-    return std::max(1.0f, std::floor(ratio * 4) / 4);
+    return mode ? scale_for_height(mode->height) : 1;
   }
 
   static std::string reason() {

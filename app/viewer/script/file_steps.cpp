@@ -105,7 +105,7 @@ class SaveStateStep final : public Step {
   std::string file_;
 };
 
-// Writes the state and the placements of all items again and again, for a program that controls the window.
+// Writes the state again and again, for a program that controls the window.
 class FollowStep final : public Step {
  public:
   explicit FollowStep(std::string file) : file_(std::move(file)) {}
@@ -116,11 +116,7 @@ class FollowStep final : public Step {
     const auto now = Clock::now();
     if (now - last_write_ < kInterval) return {};
     last_write_ = now;
-    nlohmann::json items = nlohmann::json::object();
-    for (const auto& [name, placement] : state.ui.items.placements())
-      items[name] = {placement.corner.x, placement.corner.y, placement.size.x, placement.size.y};
     nlohmann::json report = nlohmann::json::parse(state_report(state));
-    report["items"] = std::move(items);
     report["enabled_actions"] = nlohmann::json::array();
     for (const Action& action : state.actions.all())
       if (action.is_enabled(state)) report["enabled_actions"].push_back(action.name);

@@ -24,9 +24,17 @@ void ItemRegistry::point_out(const std::string& name) {
   mark_seconds_ = kMarkSeconds;
 }
 
+void ItemRegistry::point_out(const std::string& name, const std::string& value) {
+  point_out(name);
+  request(name, value);
+  request_->ends_with_mark = true;
+}
+
 void ItemRegistry::advance(float seconds) {
   mark_seconds_ -= seconds;
-  if (mark_seconds_ <= 0) pointed_out_.clear();
+  if (mark_seconds_ > 0) return;
+  pointed_out_.clear();
+  if (request_ && request_->ends_with_mark) request_.reset();
 }
 
 void ItemRegistry::add(const std::string& name) {
@@ -56,7 +64,7 @@ const Placement* ItemRegistry::find(const std::string& name) const {
 }
 
 void ItemRegistry::request(const std::string& name, const std::string& value) {
-  request_ = Request{name, value};
+  request_ = Request{.name = name, .value = value};
   answer_.reset();
 }
 

@@ -25,6 +25,8 @@ class ItemRegistry {
  public:
   void begin_frame() {
     placements_.clear();
+    fits_.clear();
+    tooltip_.clear();
     ++frames_;
   }
   // The number of frames that were begun.
@@ -39,6 +41,15 @@ class ItemRegistry {
   // All items that were drawn in this frame.
   const std::map<std::string, Placement, std::less<>>& placements() const { return placements_; }
 
+  // Records whether a text of a parameter has room on screen: its label, or a value that it can have.
+  void add_text(const std::string& parameter, bool fits) { fits_.try_emplace(parameter, true).first->second &= fits; }
+  // Of all parameters that were drawn in this frame, scrolled out of view or not: whether all their texts have room.
+  const std::map<std::string, bool>& fits() const { return fits_; }
+
+  // The tooltip of the parameter under the pointer; empty if there is none.
+  void set_tooltip(const std::string& text) { tooltip_ = text; }
+  const std::string& tooltip() const { return tooltip_; }
+
   // --- for scripts
   // Requests a value for an item; replaces the previous request.
   void request(const std::string& name, const std::string& value);
@@ -48,9 +59,12 @@ class ItemRegistry {
   std::optional<std::string> take_answer();
   // Scrolls this item into view in the next frames. An empty name ends that.
   void scroll_to(const std::string& name) { scroll_target_ = name; }
+  const std::string& scroll_target() const { return scroll_target_; }
 
   // Scrolls this item into view and marks it for a moment.
   void point_out(const std::string& name);
+  // The same, and requests a value for it during that time.
+  void point_out(const std::string& name, const std::string& value);
   // The item that is marked; empty if there is none.
   const std::string& pointed_out() const { return pointed_out_; }
   // Ends the mark after its time.
@@ -67,8 +81,11 @@ class ItemRegistry {
   struct Request {
     std::string name;
     std::string value;
+    bool ends_with_mark = false;
   };
   std::map<std::string, Placement, std::less<>> placements_;
+  std::map<std::string, bool> fits_;
+  std::string tooltip_;
   uint64_t frames_ = 0;
   std::optional<Request> request_;
   std::optional<std::string> answer_;

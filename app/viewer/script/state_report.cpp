@@ -54,6 +54,13 @@ json placement_json(const Placement& placement) {
   return {placement.corner.x, placement.corner.y, placement.size.x, placement.size.y};
 }
 
+// What is on screen, by the names that scripts use.
+json items_report(const ItemRegistry& items) {
+  json j = json::object();
+  for (const auto& [name, placement] : items.placements()) j[name] = placement_json(placement);
+  return j;
+}
+
 json comparison_report(const Comparison& c) {
   json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped},
          {"a", c.first().name},     {"b", c.b.name},        {"reference", c.reference.name}};
@@ -180,6 +187,9 @@ std::string state_report(AppState& state) {
          {"zoom", state.viewport.zoom.scale},
          {"darkness", darkness_name(state.viewport.darkness)},
          {"image", placement_json(state.viewport.image)},
+         {"items", items_report(state.ui.items)},
+         {"texts_fit", state.ui.items.fits()},
+         {"tooltip", state.ui.items.tooltip()},
          {"points", nullptr},
          {"aov", nullptr},
          {"interface_share", state.timing.interface_share},

@@ -123,6 +123,7 @@ void AppState::show_parameter(const std::string& name) {
   interface.visible = true;
   interface.panel_filter.clear();
   interface.bottom_filter.clear();
+  interface.detached_filters.clear();
   ui.items.point_out(name);
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -123,6 +124,7 @@ struct InterfaceState {
   bool help_open = false;
   bool palette_open = false;
   bool preferences_open = false;
+  bool keyboard_is_requested = false;  // the preferences change to the list of shortcuts
   bool welcome_open = false;
   bool style_is_outdated = false;     // scale, font size or theme have changed
   std::string panel_filter;           // of the right column; empty: all parameters are shown
@@ -131,6 +133,9 @@ struct InterfaceState {
   Vec2 menu_target{0};                // the position that this menu refers to
   bool popup_open = false;            // something that Escape closes covers the interface
   bool typing = false;                // a text field has the keyboard focus
+
+  // The filters of detached panels of the right column, by the names of the panels.
+  std::map<std::string, std::string> detached_filters;
 };
 
 // Files that are being read or written, and the request for a file name while the file dialog is open.

@@ -57,11 +57,41 @@ ParameterInfo thread_count(const Settings& settings) {
                               "Rendering threads; 0: one per hardware thread. Takes effect at the next start"});
 }
 
+// A folder that can be chosen.
+struct FolderPreference {
+  const char* name;
+  const char* label;
+  const char* doc;
+  std::string Settings::*folder;
+  std::string fallback;  // what is used while the folder is empty
+};
+
+std::vector<FolderPreference> folders() {
+  const std::string last = "Folder of the last file";
+  return {{"preferences.snapshot-folder", "Snapshot folder", "Folder to which Save snapshot writes its images",
+           &Settings::snapshot_folder, default_snapshot_folder().string()},
+          {"preferences.material-folder", "Material folder", "Folder of the material library",
+           &Settings::material_folder, default_material_folder().string()},
+          {"preferences.scene-folder", "Scene folder", "Folder in which the dialog for opening scenes starts",
+           &Settings::scene_folder, last},
+          {"preferences.environment-folder", "Environment folder",
+           "Folder in which the dialog for environment maps starts", &Settings::environment_folder, last}};
+}
+
+ParameterInfo describe_folder(const FolderPreference& preference, const Settings& settings) {
+  return describe(Text{.name = preference.name,
+                       .label = preference.label,
+                       .value = settings.*preference.folder,
+                       .doc = preference.doc,
+                       .validate = [](std::string_view) { return Result<void>(); },
+                       .presets = {{"", preference.fallback.c_str()}}});
+}
+
 }  // namespace
 
 std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
   return {describe_choice("preferences.theme", "Theme", "Colours of the interface", kThemes, settings.dark ? 0 : 1),
-          describe_choice("preferences.scale", "Scale",
+          describe_choice("preferences.scale", "UI scale",
                           "Size of the interface. Automatic: from the resolution of the display", kScales,
                           index_of_scale(settings.ui_scale)),
           font_size(settings),
@@ -85,8 +115,28 @@ std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
                       "Keeps the samples of a snapshot in a second file, from which the rendering continues. It has "
                       "56 bytes per pixel or more"}),
       describe(Choice<render::Denoiser>{"preferences.denoiser", "Denoiser", settings.denoiser,
-                                        "Of View > Denoised. Automatic: Open Image Denoise if its library is "
+                                        "Filter of View > Denoised. Automatic: Open Image Denoise if its library is "
                                         "installed, else regression on features"})};
+}
+
+std::vector<ParameterInfo> folder_preferences(const Settings& settings) {
+  std::vector<ParameterInfo> list;
+  for (const FolderPreference& preference : folders()) list.push_back(describe_folder(preference, settings));
+  return list;
+}
+
+std::vector<ParameterInfo> all_preferences(const Settings& settings) {
+  std::vector<ParameterInfo> list = interface_preferences(settings);
+  for (const auto& section : {rendering_preferences(settings), folder_preferences(settings)})
+    list.insert(list.end(), section.begin(), section.end());
+  return list;
+}
+
+std::optional<Value> default_preference(const std::string& name) {
+  if (!name.starts_with("preferences.")) return std::nullopt;
+  const auto list = all_preferences(Settings());
+  const ParameterInfo* info = find_parameter(list, name);
+  return info ? std::optional(info->default_value) : std::nullopt;
 }
 
 void assign_preference(Settings& settings, const std::string& name, const Value& value) {
@@ -107,6 +157,8 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
   }
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);
+  for (const FolderPreference& preference : folders())
+    if (name == preference.name) settings.*preference.folder = std::get<std::string>(value);
 }
 
 }  // namespace etendue::viewer

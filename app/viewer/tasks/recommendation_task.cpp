@@ -27,10 +27,26 @@ float rounded_to_one_digit(double value) {
   return static_cast<float>(std::round(value / power) * power);
 }
 
+std::vector<ParameterInfo> described(float target, film::ErrorMeasure measure, const Number<float>& pilot) {
+  const Number<float> error{"advice.error",
+                            "Target error",
+                            target,
+                            {kMinError, kMaxError},
+                            "Error to reach, in the measure chosen under Stop at. Integrators are ranked by the time "
+                            "to reach it. Relative and "
+                            "displayed errors are fractions: 0.01 is 1 %",
+                            measure == film::ErrorMeasure::rmse ? "" : "fraction",
+                            Scale::logarithmic};
+  return {describe(error), describe(pilot)};
+}
+
 }  // namespace
 
 float RecommendationTask::target_error(const render::Document& document) const {
-  if (parameters.error) return *parameters.error;
+  return parameters.error.value_or(default_target(document));
+}
+
+float RecommendationTask::default_target(const render::Document& document) const {
   const double limit = document.limits.error;
   const bool is_rmse = document.limits.measure == film::ErrorMeasure::rmse;
   const float usual = is_rmse ? default_error_.value_or(kDefaultError) : kDefaultError;
@@ -46,17 +62,13 @@ void RecommendationTask::measure_luminance(const render::Frame& frame, uint64_t 
   default_error_ = std::isfinite(mean) && mean > 0 ? rounded_to_one_digit(0.01 * mean) : kDefaultError;
 }
 
-std::vector<ParameterInfo> RecommendationTask::describe_parameters(const render::Document* document) const {
-  const Number<float> error{
-      "advice.error",
-      "Target error",
-      document ? target_error(*document) : kDefaultError,
-      {kMinError, kMaxError},
-      "Error to reach, in the measure chosen under Stop at. Integrators are ranked by the time to reach it. Relative and "
-      "displayed errors are fractions: 0.01 is 1 %",
-      document && document->limits.measure != film::ErrorMeasure::rmse ? "fraction" : "",
-      Scale::logarithmic};
-  return {describe(error), describe(parameters.pilot)};
+std::vector<ParameterInfo> RecommendationTask::describe_parameters(const render::Document& document) const {
+  return described(target_error(document), document.limits.measure, parameters.pilot);
+}
+
+std::vector<ParameterInfo> RecommendationTask::describe_defaults(const render::Document* document) const {
+  if (!document) return described(kDefaultError, film::ErrorMeasure::rmse, Parameters().pilot);
+  return described(default_target(*document), document->limits.measure, Parameters().pilot);
 }
 
 void RecommendationTask::start(const TaskContext& context) {

@@ -33,10 +33,14 @@ class RecommendationTask final : public Task {
   // The error to reach, in the measure of the document's limits: the parameter if it is set, else the error limit of the
   // document, else one percent of the mean luminance, of the true value, or of the displayed range.
   float target_error(const render::Document& document) const;
+  // The same without the parameter.
+  float default_target(const render::Document& document) const;
   // Takes the mean luminance from a frame of the current document, once per document.
   void measure_luminance(const render::Frame& frame, uint64_t document_version);
   // The parameters as widgets and scripts see them.
-  std::vector<ParameterInfo> describe_parameters(const render::Document* document) const;
+  std::vector<ParameterInfo> describe_parameters(const render::Document& document) const;
+  // The same with their defaults; without a document, with the usual target.
+  std::vector<ParameterInfo> describe_defaults(const render::Document* document) const;
 
   void start(const TaskContext& context);
   void cancel(const TaskContext& context);

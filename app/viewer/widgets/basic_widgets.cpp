@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viewer/widgets/number_widget.h"
+#include "viewer/widgets/tooltip_corner.h"
 
 namespace etendue::viewer {
 namespace {
@@ -22,32 +23,30 @@ void wrapped_text(const std::string& text, const ImVec4& color) {
 
 }  // namespace
 
-namespace {
-
-// Places the next tooltip below the last item, or above it in the lower half of the window, so that it does not cover
-// the item. Next to the pointer if the item is larger than a few lines.
-void place_tooltip(const std::string& text, float wrap_width) {
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  if (high.y - low.y > ImGui::GetFrameHeight() * 2) return;
+void place_next_tooltip(const ImVec2& content) {
+  const ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto rectangle = [](const ImVec2& low, const ImVec2& high) {
+    return Placement{Vec2(low.x, low.y), Vec2(high.x - low.x, high.y - low.y)};
+  };
+  const Placement item = rectangle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  const Placement visible = intersection(item, rectangle(draw.GetClipRectMin(), draw.GetClipRectMax()));
+  const ImVec2 mouse = ImGui::GetMousePos(), screen = ImGui::GetIO().DisplaySize;
+  const Vec2 pointer(mouse.x, mouse.y);
+  if (!visible.contains(pointer)) return;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const float width = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width).x + 2 * padding.x;
+  const Vec2 size = Vec2(content.x, content.y) + 2.0f * Vec2(padding.x, padding.y);
   const float gap = ImGui::GetFontSize() * 0.3f;
-  const bool above = low.y > screen.y / 2;
-  const float left = std::min(std::max(low.x, ImGui::GetMousePos().x - width / 2), screen.x - width - gap);
-  ImGui::SetNextWindowPos({std::max(0.0f, left), above ? low.y - gap : high.y + gap}, ImGuiCond_Always,
-                          {0, above ? 1.0f : 0.0f});
+  if (const auto corner = tooltip_corner(visible, size, {screen.x, screen.y}, pointer, gap))
+    ImGui::SetNextWindowPos({corner->x, corner->y});
 }
-
-}  // namespace
 
 void tooltip(const UiContext& ui, const std::string& text) {
   if (ui.pointer_rest < kTooltipDelay || text.empty()) return;
   ImGui::PushFont(ui.fonts.text);
   const float wrap_width = ImGui::GetFontSize() * kTooltipWidth;
-  place_tooltip(text, wrap_width);
+  place_next_tooltip(ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width));
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(wrap_width);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap_width);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -75,7 +74,7 @@ std::string shortened(std::string text, float max_width) {
 
 void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text) {
   ImGui::TextDisabled("%s", label);
-  bool hovered = ImGui::IsItemHovered();
+  if (ImGui::IsItemHovered()) tooltip(ui, tooltip_text);
   continue_after_label(ImGui::GetItemRectSize().x);
   ImGui::PushFont(ui.fonts.monospace);
   // A long value is wrapped, in the next line if there is hardly any room beside the label.
@@ -86,8 +85,7 @@ void labelled_value(const UiContext& ui, const char* label, const std::string& v
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  hovered = hovered || ImGui::IsItemHovered();
-  if (hovered) tooltip(ui, tooltip_text);
+  if (ImGui::IsItemHovered()) tooltip(ui, tooltip_text);
 }
 
 bool group(const UiContext& ui, const char* label, const std::string& prefix, bool open_by_default) {

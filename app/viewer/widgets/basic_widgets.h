@@ -12,6 +12,10 @@ inline constexpr double kTooltipDelay = 0.4;  // seconds
 // Shows a tooltip if the pointer has not moved for kTooltipDelay. To be called while an item is hovered.
 void tooltip(const UiContext& ui, const std::string& text);
 
+// Places the next tooltip, which has content of this size, beside the last item so that it does not cover it. At the
+// pointer if there is no room, or if the pointer is outside of the item.
+void place_next_tooltip(const ImVec2& content);
+
 // Wrapped text: secondary information, and warnings.
 void note(const UiContext& ui, const std::string& text);
 void warning(const UiContext& ui, const std::string& text);

@@ -44,11 +44,11 @@ void set_color(AppState& state, ColorParameters rgb, const Rgb& color) {
   if (differs) state.edit(rgb, values, name_of(rgb));
 }
 
-// The tooltip and the item of the whole colour.
-void describe_color(AppState& state, ColorParameters rgb) {
+// The tooltip and the item of the whole colour. `hint` says what a click does.
+void describe_color(AppState& state, ColorParameters rgb, const std::function<std::string()>& hint) {
   ParameterInfo info = rgb[0].info;
   info.name = name_of(rgb);
-  describe_item(state.ui, info);
+  describe_item(state.ui, info, hint);
 }
 
 // The colour with the components that a script requests, if it does.
@@ -86,7 +86,7 @@ void factor_widget(AppState& state, ColorParameters rgb) {
                                          ImGuiColorEditFlags_NoOptions;  // the context menu is our own
   Rgb shown = srgb_of_linear(value_of(rgb));
   ImGui::PushID(name_of(rgb).c_str());
-  label_column(rgb[0].info.label);
+  parameter_label(state.ui, name_of(rgb), rgb[0].info.label);
   ImGui::PushFont(state.ui.fonts.monospace);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
@@ -100,7 +100,10 @@ void factor_widget(AppState& state, ColorParameters rgb) {
     edited = ImGui::ColorEdit3("##", &shown.r, kFlags);
   const bool ended = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopFont();
-  describe_color(state, rgb);
+  describe_color(state, rgb, [&] {
+    const bool can_be_reset = original_value(state, rgb[0].info.name).has_value();
+    return std::string("Click: enter a hexadecimal sRGB value") + (can_be_reset ? ". Ctrl+click: reset" : "");
+  });
   const bool reset_by_menu = color_menu(state, rgb);
   const std::optional<Rgb> requested = requested_color(state, rgb);
   if (requested) state.editor->end_gesture();
@@ -125,7 +128,7 @@ void radiance_swatch(AppState& state, ColorParameters rgb) {
   const float size = ImGui::GetFrameHeight();
   if (ImGui::ColorButton("##swatch", {shown.r, shown.g, shown.b, 1}, ImGuiColorEditFlags_NoTooltip, {size, size}))
     ImGui::OpenPopup("##picker");
-  describe_color(state, rgb);
+  describe_color(state, rgb, [] { return std::string("Click: choose a colour"); });
   if (color_menu(state, rgb)) reset_parameters(state, rgb);
   if (!ImGui::BeginPopup("##picker")) return;
   if (ImGui::ColorPicker3("##color", &shown.r, ImGuiColorEditFlags_DisplayHex))
@@ -154,8 +157,8 @@ std::vector<render::DocumentParameter> section_of(const AppState& state, const s
 void derived_field(AppState& state, const ParameterInfo& info, ColorParameters rgb, const std::string& gesture,
                    const std::function<Rgb(double)>& color) {
   ImGui::PushID(info.name.c_str());
-  label_column(info.label);
-  const WidgetEdit edit = number_field(state.ui, info);
+  parameter_label(state.ui, info.name, info.label);
+  const WidgetEdit edit = number_field(state, info, 0, rgb[0].info.name);
   const bool reset_by_menu = color_menu(state, rgb);
   ImGui::PopID();
   start_edit(state, info, edit, gesture);

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <string>
 
-#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
@@ -47,6 +46,8 @@ std::string format_of(const ParameterInfo& info, double value) {
   std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
   if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3)
     format = "%.3f";
+  // Shorter than with an exponent.
+  if (info.type == ParameterType::number && std::abs(value) >= 1e4 && std::abs(value) < 1e6) format = "%.0f";
   if (!info.unit.empty()) format += " " + escaped(info.unit);
   if (value == 0) format += meaning_of_zero(info.doc);
   return format;
@@ -140,24 +141,54 @@ struct BeforePress {
 
 // Between a label and its widget, in font sizes.
 constexpr float kLabelGap = 0.4f;
+// The largest share of the line that a label takes from its widget.
+constexpr float kLabelShare = 0.58f;
+
+// The end of a label with the gap behind it, from the left border of the window or of the table column, as SameLine
+// counts.
+float label_end(float text_width) {
+  return std::ceil(ImGui::GetStyle().WindowPadding.x + text_width + kLabelGap * ImGui::GetFontSize());
+}
 
 }  // namespace
 
 float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
 
-void continue_after_label(float text_width) {
-  // SameLine counts from the left border of the window or of the table column.
-  const float label_end = ImGui::GetStyle().WindowPadding.x + text_width + kLabelGap * ImGui::GetFontSize();
-  ImGui::SameLine(std::max(label_width(), std::ceil(label_end)));
+void continue_after_label(float text_width) { ImGui::SameLine(std::max(label_width(), label_end(text_width))); }
+
+float label_column(const std::string& label, float least_width) {
+  constexpr float kMargin = 1;  // pixels at the right end of the line
+  const float left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x, right = left + room - kMargin;
+  const float text_width = ImGui::CalcTextSize(label.c_str()).x, text_end = label_end(text_width);
+  const float longest_label = std::max(label_width(), room * kLabelShare) - kLabelGap * ImGui::GetFontSize();
+  const bool is_beside = text_width <= longest_label && text_end + least_width <= right;
+  // The item begins at the end of the column of labels, or before it if it is wide.
+  const float start = std::max(is_beside ? text_end : left, std::min(label_width(), std::floor(right - least_width)));
+  if (is_beside) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::SameLine(start);
+  } else {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPosX(start);
+  }
+  ImGui::SetNextItemWidth(-kMargin);
+  return ImGui::GetItemRectSize().x > room ? 0 : right - left;
 }
 
-void label_column(const std::string& label) {
-  const float max_width = std::max(label_width(), ImGui::GetContentRegionAvail().x * 0.58f);
-  const std::string text = shortened(label, max_width - kLabelGap * ImGui::GetFontSize());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text.c_str());
-  continue_after_label(ImGui::GetItemRectSize().x);
-  ImGui::SetNextItemWidth(-1);
+std::string number_label(const ParameterInfo& info) {
+  if (const ScreenUnit* unit = screen_unit(info)) return number_label(converted(info, *unit));
+  const auto* integer = std::get_if<int64_t>(&info.default_value);
+  const double value = integer ? static_cast<double>(*integer) : std::get<double>(info.default_value);
+  const std::string format = format_of(info, value);
+  char text[128];
+  if (integer)
+    ImGui::DataTypeFormatString(text, IM_ARRAYSIZE(text), ImGuiDataType_S64, integer, format.c_str());
+  else
+    ImGui::DataTypeFormatString(text, IM_ARRAYSIZE(text), ImGuiDataType_Double, &value, format.c_str());
+  return text;
 }
 
 std::string range_text(const ParameterInfo& info) {
@@ -171,7 +202,8 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   WidgetEdit edit;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
-  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
+  const bool enabled = !(ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled);
+  const bool hovered = enabled && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
   const bool starts_typing = hovered && ImGui::IsMouseDoubleClicked(0);
   edit.reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && !starts_typing;
   edit.starts_typing = starts_typing;
@@ -199,7 +231,7 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
 
   // Dear ImGui opens text input on Ctrl+click. Here a double click does, and Ctrl+click resets, so the widget is
   // disabled for that click.
-  ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset);
+  ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset || !enabled);
   bool changed = false;
   if (starts_typing) {
     changed = text_input(id, type, value, format.c_str(), min, max);

@@ -5,13 +5,35 @@
 #include <utility>
 
 #include "render/document.h"
+#include "viewer/panels/panel.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
+#include "viewer/state/preferences.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/option_groups.h"
 
 namespace etendue::viewer {
+namespace {
+
+bool is_numeric(const ParameterInfo& info) {
+  return info.type == ParameterType::number || info.type == ParameterType::integer;
+}
+
+bool is_of_document(const AppState& state, const std::string& name) {
+  return state.has_document() && static_cast<bool>(render::get(state.document(), name));
+}
+
+}  // namespace
+
+std::string value_label(const ParameterInfo& info, const Value& value) {
+  for (size_t i = 0; i < info.options.size(); ++i)
+    if (value == Value(info.options[i])) return info.option_labels[i];
+  if (!is_numeric(info)) return to_string(value);
+  ParameterInfo shown = info;
+  shown.default_value = value;
+  return number_label(shown);
+}
 
 std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& info) {
   const auto text = ui.items.take_request(info.name);
@@ -22,20 +44,35 @@ std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& in
   return *value;
 }
 
-void describe_item(UiContext& ui, const ParameterInfo& info) {
-  ui.items.add(info.name);
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
-  std::string text = info.label + ": " + info.doc;
-  if (info.type == ParameterType::number || info.type == ParameterType::integer)
-    text += "\n" + range_text(info) + "\nDouble click: enter a value. Ctrl+click: reset";
-  tooltip(ui, text + "\n" + info.name);
+float parameter_label(UiContext& ui, const std::string& name, const std::string& label, float least_width) {
+  const float room = label_column(label, least_width);
+  ui.items.add_text(name, room > 0);
+  return room;
 }
 
-WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed) {
+void describe_item(UiContext& ui, const ParameterInfo& info, const std::function<std::string()>& hint) {
+  ui.items.add(info.name);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+  if (ui.pointer_rest < kTooltipDelay) return;
+  const bool is_enabled = ImGui::IsItemHovered();
+  std::string text = info.label + ": " + info.doc;
+  if (is_numeric(info)) text += "\n" + range_text(info);
+  if (hint && is_enabled) text += "\n" + hint();
+  text += "\n" + info.name;
+  tooltip(ui, text);
+  ui.items.set_tooltip(text);
+}
+
+WidgetEdit number_field(AppState& state, const ParameterInfo& info, float drag_speed, const std::string& stored) {
+  UiContext& ui = state.ui;
   ImGui::PushFont(ui.fonts.monospace);
+  ui.items.add_text(info.name, ImGui::CalcTextSize(number_label(info).c_str()).x <= ImGui::CalcItemWidth());
   WidgetEdit edit = number_widget(info, drag_speed);
   ImGui::PopFont();
-  describe_item(ui, info);
+  describe_item(ui, info, [&] {
+    const bool can_be_reset = reset_value(state, stored.empty() ? info.name : stored).has_value();
+    return std::string("Double click: enter a value") + (can_be_reset ? ". Ctrl+click: reset" : "");
+  });
   if (edit.value) return edit;
   edit.value = take_requested_value(ui, info);
   edit.scripted = edit.value.has_value();
@@ -68,17 +105,34 @@ std::optional<Value> original_value(const AppState& state, const std::string& na
   return value ? std::optional(*value) : std::nullopt;
 }
 
+std::optional<Value> reset_value(const AppState& state, const std::string& name) {
+  if (auto preference = default_preference(name)) return preference;
+  if (!state.has_document()) return std::nullopt;
+  if (auto original = original_value(state, name)) return original;
+  for (const auto& panel : state.panels.all())
+    if (auto value = panel->default_value(state, name)) return value;
+  return std::nullopt;
+}
+
 bool parameter_menu(AppState& state, const ParameterInfo& info) {
   if (!ImGui::BeginPopupContextItem("##menu")) return false;
-  const auto original = state.has_document() ? original_value(state, info.name) : std::nullopt;
-  const bool is_changed = original && *original != info.default_value;
-  const std::string reset_label = original ? "Reset to " + to_string(*original) : "Reset";
-  const bool reset = ImGui::MenuItem(reset_label.c_str(), "Ctrl+click", false, is_changed);
-  state.ui.items.add("menu.reset");
+  const bool of_document = is_of_document(state, info.name);
+  const auto value_after = reset_value(state, info.name);
+  const std::string reset_label = value_after ? "Reset to " + value_label(info, *value_after) : "Reset";
+  bool reset = false;
+  if (value_after || of_document) {
+    const bool is_changed = value_after && *value_after != info.default_value;
+    reset = ImGui::MenuItem(reset_label.c_str(), is_numeric(info) ? "Ctrl+click" : nullptr, false, is_changed);
+    state.ui.items.add("menu.reset");
+  }
   const std::string value = to_string(info.default_value);
   if (ImGui::MenuItem("Copy value")) state.platform.set_clipboard(value);
   if (ImGui::MenuItem("Copy name")) state.platform.set_clipboard(info.name);
-  if (ImGui::MenuItem("Copy as command-line option")) state.platform.set_clipboard("--set " + info.name + "=" + value);
+  if (of_document) {
+    if (ImGui::MenuItem("Copy as command-line option"))
+      state.platform.set_clipboard("--set " + info.name + "=" + value);
+    state.ui.items.add("menu.copy-option");
+  }
   ImGui::EndPopup();
   return reset;
 }

@@ -34,6 +34,25 @@ size_t index_of_option(const ParameterInfo& info) {
   return static_cast<size_t>(std::ranges::find(info.options, current) - info.options.begin());
 }
 
+// The widths that a combo box or a text field with proposals needs for its options.
+struct OptionWidths {
+  float current = 0, largest = 0;
+};
+
+OptionWidths widths_of_options(const UiContext& ui, const ParameterInfo& info) {
+  OptionWidths widths;
+  if (info.type != ParameterType::choice) return widths;
+  const float frame = 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
+  if (info.validate_text) ImGui::PushFont(ui.fonts.monospace);
+  for (size_t i = 0; i < info.options.size(); ++i) {
+    const float width = std::ceil(ImGui::CalcTextSize(info.option_labels[i].c_str()).x + frame);
+    widths.largest = std::max(widths.largest, width);
+    if (info.default_value == Value(info.options[i])) widths.current = width;
+  }
+  if (info.validate_text) ImGui::PopFont();
+  return widths;
+}
+
 // The tooltip of a combo box names the selected option if it is too narrow for it.
 void describe_choice(UiContext& ui, const ParameterInfo& info, const std::string& preview) {
   const float room = ImGui::GetItemRectSize().x - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
@@ -71,6 +90,8 @@ WidgetEdit text_widget(AppState& state, const ParameterInfo& info) {
   UiContext& ui = state.ui;
   const auto& current = std::get<std::string>(info.default_value);
   std::string shown = text_of_value(info, current);  // while the field is active, ImGui keeps the edited text itself
+  // The context menu belongs to the field and its list.
+  ImGui::BeginGroup();
   ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight());
   ImGui::PushFont(ui.fonts.monospace);
   const std::string hint = info.option_labels.empty() ? "" : info.option_labels.front();
@@ -88,6 +109,7 @@ WidgetEdit text_widget(AppState& state, const ParameterInfo& info) {
   ImGui::SameLine(0, 0);
   options_combo(ui, info, nullptr, index_of_option(info), edit);
   if (active && !accepted) warning(ui, accepted.error().message);
+  ImGui::EndGroup();
   return edit;
 }
 
@@ -103,7 +125,9 @@ WidgetEdit toggle_widget(UiContext& ui, const ParameterInfo& info) {
 WidgetEdit any_widget(AppState& state, const ParameterInfo& info, const ParameterInfo& stored) {
   WidgetEdit edit;
   ImGui::PushID(info.name.c_str());
-  label_column(info.label);
+  const OptionWidths widths = widths_of_options(state.ui, info);
+  const float room = parameter_label(state.ui, info.name, info.label, widths.current);
+  state.ui.items.add_text(info.name, room >= widths.largest);
   switch (info.type) {
     case ParameterType::toggle:
       edit = toggle_widget(state.ui, info);
@@ -113,7 +137,7 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info, const Paramete
       break;
     case ParameterType::integer:
     case ParameterType::number:
-      edit = number_field(state.ui, info);
+      edit = number_field(state, info);
       break;
   }
   if (parameter_menu(state, stored)) edit.reset = true;
@@ -197,6 +221,13 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+// The value of a parameter that is not part of the document after an edit; nothing if it stays.
+std::optional<Value> new_value(const AppState& state, const ParameterInfo& info, const WidgetEdit& edit) {
+  if (!edit.reset) return edit.value;
+  auto value = reset_value(state, info.name);
+  return value != info.default_value ? value : std::nullopt;
+}
+
 }  // namespace
 
 void section_widgets(AppState& state, const std::string& section) {
@@ -229,23 +260,36 @@ void scaled_widget(AppState& state, const std::string& name, const UnitScale& sc
 
 std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info) {
   if (!passes_filter(state.ui, info)) return std::nullopt;
-  return any_widget(state, info).value;
+  return new_value(state, info, any_widget(state, info));
 }
 
 std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, float width) {
-  std::optional<Value> chosen;
+  WidgetEdit edit;
   const size_t selected = index_of_option(info);
   ImGui::PushID(info.name.c_str());
   ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo("##", info.option_labels[selected].c_str());
   if (open) {
-    chosen = option_list(state.ui, info, selected);
+    edit.value = option_list(state.ui, info, selected);
     ImGui::EndCombo();
   } else {
     describe_choice(state.ui, info, info.option_labels[selected]);
+    edit.reset = parameter_menu(state, info);
   }
   ImGui::PopID();
-  return chosen ? chosen : take_requested_value(state.ui, info);
+  const std::optional<Value> value = new_value(state, info, edit);
+  return value ? value : take_requested_value(state.ui, info);
+}
+
+std::optional<Value> compact_number(AppState& state, const ParameterInfo& info, float width) {
+  const auto* integer = std::get_if<int64_t>(&info.default_value);
+  const double value = integer ? static_cast<double>(*integer) : std::get<double>(info.default_value);
+  ImGui::PushID(info.name.c_str());
+  ImGui::SetNextItemWidth(width);
+  WidgetEdit edit = number_field(state, info, std::max(0.02f, 0.01f * static_cast<float>(value)));
+  if (parameter_menu(state, info)) edit.reset = true;
+  ImGui::PopID();
+  return new_value(state, info, edit);
 }
 
 }  // namespace etendue::viewer

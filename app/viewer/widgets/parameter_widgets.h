@@ -36,7 +36,9 @@ void parameter_widgets(AppState& state, const std::tuple<P...>& parameters) {
     if (const auto value = parameter_widget(state, info)) assign_by_name(parameters, info.name, *value);
 }
 
-// A choice that has no label, of this width. Returns the new value if it was changed.
+// A choice or a number that has no label, of this width. Returns the new value if it was changed. The number is a drag
+// field, because it would not be legible on a slider.
 std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, float width);
+std::optional<Value> compact_number(AppState& state, const ParameterInfo& info, float width);
 
 }  // namespace etendue::viewer

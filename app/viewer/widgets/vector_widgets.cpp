@@ -30,9 +30,10 @@ float metres_per_pixel(const AppState& state) {
 
 // A label and three fields, which `draw_field(axis)` draws.
 template <class Field>
-void three_fields(const std::string& label, Field draw_field, const std::function<void()>& draw_first = {}) {
+void three_fields(UiContext& ui, const std::string& name, const std::string& label, Field draw_field,
+                  const std::function<void()>& draw_first = {}) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.75f;
-  label_column(label);
+  parameter_label(ui, name, label);
   if (draw_first) {
     draw_first();
     ImGui::SameLine(0, gap);
@@ -73,7 +74,7 @@ void angle_field(AppState& state, Quaternion parameters, const std::string& gest
   constexpr float kDegreesPerPixel = 0.5f;
   EnteredRotation& entered = state.ui.entered_rotation;
   info.unit.clear();  // the label has the unit
-  const WidgetEdit edit = number_field(state.ui, info, kDegreesPerPixel);
+  const WidgetEdit edit = number_field(state, info, kDegreesPerPixel, parameters[0].info.name);
   if (parameters_menu(state, parameters)) return reset_parameters(state, parameters);
   start_edit(state, info, edit, gesture);
   if (edit.reset) {
@@ -100,11 +101,11 @@ void vector_widget(AppState& state, std::span<const render::DocumentParameter> x
     const render::DocumentParameter& parameter = xyz[static_cast<size_t>(axis)];
     ParameterInfo info = parameter.info;
     info.unit.clear();  // the label or the tooltip has the unit
-    const WidgetEdit edit = number_field(state.ui, info, speed);
+    const WidgetEdit edit = number_field(state, info, speed);
     if (parameters_menu(state, xyz)) return reset_parameters(state, xyz);
     apply_edit(state, parameter, edit);
   };
-  three_fields(is_length ? first.label + " (m)" : first.label, draw_field, draw_first);
+  three_fields(state.ui, first.name, is_length ? first.label + " (m)" : first.label, draw_field, draw_first);
   ImGui::PopID();
 }
 
@@ -133,7 +134,7 @@ void rotation_widget(AppState& state, std::span<const render::DocumentParameter>
     entered = {.parameter = name, .quaternion = current, .degrees = scene::euler_degrees(current)};
   const auto infos = euler_parameters(xyzw[0].section, entered.degrees);
   ImGui::PushID(name.c_str());
-  three_fields("Rotation (\u00b0)",
+  three_fields(state.ui, name, "Rotation (\u00b0)",
                [&](int axis) { angle_field(state, xyzw, name, infos[static_cast<size_t>(axis)], axis); });
   ImGui::PopID();
   for (const auto& parameter : xyzw) {

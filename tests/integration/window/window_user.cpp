@@ -89,7 +89,9 @@ WindowUser::WindowUser(const std::string& viewer, const fs::path& folder, const 
   viewer_ = fork();
   if (viewer_ == 0) {
     setenv("DISPLAY", display_.c_str(), 1);
-    setenv("XDG_DATA_HOME", (folder / "data").c_str(), 1);  // the library of materials
+    // The library of materials and the snapshots.
+    setenv("HOME", folder.c_str(), 1);
+    for (const char* name : {"XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME"}) unsetenv(name);
     if (chdir(folder.c_str()) != 0) _exit(126);
     execl(viewer.c_str(), viewer.c_str(), "view", scene.c_str(), "--script", script.c_str(), "--settings",
           (folder / "settings").c_str(), static_cast<char*>(nullptr));
@@ -166,9 +168,8 @@ void WindowUser::move_to(const std::string& item) { move_in(item, 0.5, 0.5); }
 
 void WindowUser::move_in(const std::string& item, double share_x, double share_y) {
   const json at = placement(item);
-  const int x = static_cast<int>(at[0].get<double>() + share_x * at[2].get<double>());
-  const int y = static_cast<int>(at[1].get<double>() + share_y * at[3].get<double>());
-  xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
+  move_to(static_cast<int>(at[0].get<double>() + share_x * at[2].get<double>()),
+          static_cast<int>(at[1].get<double>() + share_y * at[3].get<double>()));
 }
 
 void WindowUser::click(const std::string& item, int button, int count) { click_in(item, 0.5, 0.5, button, count); }
@@ -189,6 +190,10 @@ void WindowUser::drop(const std::vector<fs::path>& files) {
   settle();
 }
 
+void WindowUser::move_to(int x, int y) {
+  xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
+}
+
 void WindowUser::click_at(int x, int y) {
   xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y) + " click 1");
   settle();
@@ -199,27 +204,36 @@ void WindowUser::drag(const std::string& item, int dx, int dy) {
   drag_from_pointer(dx, dy);
 }
 
-void WindowUser::drag_at(int x, int y, int dx, int dy) {
-  xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
-  drag_from_pointer(dx, dy);
+void WindowUser::drag_at(int x, int y, int dx, int dy, int button) {
+  move_to(x, y);
+  drag_from_pointer(dx, dy, button);
 }
 
 // The viewer draws a frame between press, movements and release, however long its frames are.
-void WindowUser::drag_from_pointer(int dx, int dy) {
+void WindowUser::drag_from_pointer(int dx, int dy, int button) {
   const auto move_by = [&](int x, int y) {
     xdotool("mousemove_relative -- " + std::to_string(x) + " " + std::to_string(y));
     settle();
   };
-  xdotool("mousedown 1");
+  xdotool("mousedown " + std::to_string(button));
   settle();
   move_by(dx / 2, dy / 2);
   move_by(dx - dx / 2, dy - dy / 2);
-  xdotool("mouseup 1");
+  xdotool("mouseup " + std::to_string(button));
   settle();
 }
 
 void WindowUser::scroll(const std::string& item, int notches) {
   move_to(item);
+  scroll_at_pointer(notches);
+}
+
+void WindowUser::scroll_at(int x, int y, int notches) {
+  move_to(x, y);
+  scroll_at_pointer(notches);
+}
+
+void WindowUser::scroll_at_pointer(int notches) {
   xdotool("click --repeat " + std::to_string(std::abs(notches)) + " " + (notches > 0 ? "4" : "5"));
   settle();
 }
@@ -228,6 +242,15 @@ void WindowUser::hold(const std::string& key, const std::function<void()>& actio
   xdotool("keydown " + key);
   action();
   xdotool("keyup " + key);
+  settle();
+}
+
+void WindowUser::hold_button(int button, int x, int y, const std::function<void()>& action) {
+  move_to(x, y);
+  xdotool("mousedown " + std::to_string(button));
+  settle();
+  action();
+  xdotool("mouseup " + std::to_string(button));
   settle();
 }
 

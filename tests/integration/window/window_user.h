@@ -42,9 +42,11 @@ class WindowUser {
   void click_in(const std::string& item, double x, double y, int button = 1, int count = 1);
   void drag_in(const std::string& item, double x, double y, int dx, int dy);
   void drag(const std::string& item, int dx, int dy);
-  void drag_at(int x, int y, int dx, int dy);
+  void drag_at(int x, int y, int dx, int dy, int button = 1);
   void scroll(const std::string& item, int notches);
+  void scroll_at(int x, int y, int notches);
   void hold(const std::string& key, const std::function<void()>& action);
+  void hold_button(int button, int x, int y, const std::function<void()>& action);
   void press(const std::string& keys);  // "ctrl+a" in the notation of xdotool
   void type(const std::string& text);
   void resize(int width, int height);
@@ -59,7 +61,9 @@ class WindowUser {
   void xdotool(const std::string& arguments);
   json placement(const std::string& item);
   void move_in(const std::string& item, double x, double y);
-  void drag_from_pointer(int dx, int dy);
+  void move_to(int x, int y);
+  void scroll_at_pointer(int notches);
+  void drag_from_pointer(int dx, int dy, int button = 1);
 
   std::filesystem::path folder_;
   std::filesystem::path report_file_;

@@ -17,7 +17,7 @@ TEST(SimilarName, EditDistanceCountsLetters) {
 
 TEST(SimilarName, AProbableNameHasAtMostTwoErrors) {
   EXPECT_EQ(probable_name("pathh", kNames), "path");
-  EXPECT_EQ(probable_name("ligth", kNames), "light");
+  EXPECT_EQ(probable_name("lght", kNames), "light");
   EXPECT_EQ(probable_name("lixxx", kNames), "");
   EXPECT_EQ(probable_name("xy", kNames), "") << "half of the letters have to be right";
   EXPECT_EQ(probable_name("path", {}), "");
