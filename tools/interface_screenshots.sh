@@ -175,14 +175,14 @@ END
 }
 
 take_questions() {
+  # A message that arrives while a dialog is open.
+  popup notice-dialog "$(key f12)" "$(key ctrl+o)" "$(pause 3)"
   picture notice-message "$(click compare.pin)"
   echo "no glTF" >"$work/damaged.glb"
   picture notice-error "$(key ctrl+o)" "$(click files.name)" "$(key ctrl+a)" "$(text "$work/damaged.glb")" "$(key enter)"
   picture panel-messages-filled "$(click panel.messages)"
   picture question-unsaved "$(assign material.5.roughness 0.5)" "$(key ctrl+q)"
   steps+=("$(click unsaved.cancel)")
-  # A message that arrives while a dialog is open.
-  popup notice-dialog "$(key f12)" "$(key ctrl+o)" "$(pause 3)"
   scene_with_warnings >"$work/warnings.gltf"
   picture notice-warnings "{\"do\": \"open\", \"file\": \"$work/warnings.gltf\"}"
   view --safe cornell

@@ -190,7 +190,7 @@ class Application {
     last_draw_ = start;
     update_state(state_, live_image_);
     if (state_.interface.style_is_outdated || state_.ui.glyphs.take_change()) update_style();
-    notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
+    notices_fade_ = state_.notices.advance(state_.interface.dialog_open ? 0 : static_cast<double>(seconds));
     // Off-screen, a slow frame must not separate the two clicks of a double click.
     host_.begin_frame(state_.ui.input, platform_.has_display() ? seconds : std::min(seconds, kMaxOffscreenFrame));
     interface_.draw(state_, seconds);

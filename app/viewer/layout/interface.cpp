@@ -52,9 +52,9 @@ void Interface::draw(AppState& state, float seconds) {
   // Escape closes a popup; it is then not a shortcut.
   const bool closes_popup = interface.popup_open && input.keys_pressed[kEscape];
   const bool flying = input.buttons[static_cast<size_t>(Button::right)];  // W, A, S, D, Q and E move the camera
-  const bool has_dialog = state.files.request || state.files.after_unsaved_edits ||
-                          !state.files.lost_sessions.empty() || interface.preferences_open || interface.welcome_open;
-  if (!interface.typing && !closes_popup && !has_dialog && !flying) state.actions.run_pressed(state, input);
+  interface.dialog_open = state.files.request || state.files.after_unsaved_edits || !state.files.lost_sessions.empty() ||
+                          interface.preferences_open || interface.welcome_open;
+  if (!interface.typing && !closes_popup && !interface.dialog_open && !flying) state.actions.run_pressed(state, input);
 
   drop_stale_selection(state);
   viewport.region = draw_frame(state);

@@ -63,6 +63,8 @@ void draw_loading(AppState& state) {
 }
 
 void draw_notices(AppState& state) {
+  state.viewport.height_of_notices = 0;
+  if (state.interface.dialog_open) return;  // they would cover it
   const Placement& region = state.viewport.region;
   const Theme& theme = state.ui.theme;
   float bottom = region.corner.y + region.size.y - 10 - state.viewport.playback.bar_height;

@@ -132,6 +132,7 @@ struct InterfaceState {
   std::optional<Vec2> menu_position;  // where the context menu of the viewport is to be opened
   Vec2 menu_target{0};                // the position that this menu refers to
   bool popup_open = false;            // something that Escape closes covers the interface
+  bool dialog_open = false;           // notices wait until it is closed
   bool typing = false;                // a text field has the keyboard focus
 
   // The filters of detached panels of the right column, by the names of the panels.
