@@ -116,6 +116,25 @@ TEST_F(Preferences, ThePaletteFindsThem) {
   EXPECT_EQ(settings()["denoiser"], "regression");
 }
 
+// A message appears at the lower left, where it would cover buttons of a dialog.
+TEST_F(Preferences, MessagesWaitWhileADialogIsOpen) {
+  const json wait{{"do", "wait"}, {"seconds", 0.3}};
+  const json steps = json::array({{{"do", "wait"}, {"spp", 1}},
+                                  click("compare.pin"),
+                                  wait,
+                                  file_step("state", path("before.json")),
+                                  click("app.preferences"),
+                                  wait,
+                                  file_step("state", path("open.json")),
+                                  click("preferences.close"),
+                                  wait,
+                                  file_step("state", path("after.json"))});
+  ASSERT_EQ(run_with_settings(steps), 0);
+  EXPECT_TRUE(state("before.json")["items"].contains("notice.close"));
+  EXPECT_FALSE(state("open.json")["items"].contains("notice.close"));
+  EXPECT_TRUE(state("after.json")["items"].contains("notice.close"));
+}
+
 TEST_F(Preferences, AreReset) {
   const auto right_click = [](const char* item) { return json{{"do", "click"}, {"item", item}, {"button", "right"}}; };
   const json wait{{"do", "wait"}, {"seconds", 0.3}};
