@@ -58,7 +58,7 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"paths.all", {"film.paths=ES*L"}},
     {"surface.pin", {"view.panel.surface", "image"}},
     {"surface.unpin", {"view.panel.surface", "image", "surface.pin"}},
-    {"view.clear-region", {"view.region", "region"}},
+    {"view.clear-region", {"region", "view.region", "region"}},  // the tool may be active
     {"view.unpin-pixel", {"image", "view.pin-pixel", "image"}},
     {"trace.export", {"integrator.path", "image", "trace.pick", "image"}},
     {"lab.export", {"view.panel.lab"}},
