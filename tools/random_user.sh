@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The random user with a sanitizer: pointer and keyboard events at random in the off-screen viewer, with scenes of
-# surfaces, of glass and of a medium, and with files that are dropped on the window.
+# surfaces, of glass and of a medium, in windows of several sizes, and with files that are dropped on the window.
 #
 #   tools/random_user.sh [asan|tsan|release] [ACTIONS] [FIRST SEED]    default: asan 10000 1
 #
@@ -62,6 +62,7 @@ is_foreign_leak() {
 }
 
 scenes=(cornell glass-caustic fog many-lights prism)
+sizes=(800x600 1024x600 800x600 1280x720)
 done=0
 failed=0
 run=0
@@ -69,12 +70,13 @@ while [ "$done" -lt "$actions" ]; do
   count=$((actions - done < 500 ? actions - done : 500))
   seed=$((first + run))
   scene=${scenes[$((run % ${#scenes[@]}))]}
+  size=${sizes[$((run % ${#sizes[@]}))]}
   cat >"$out/$run.json" <<JSON
 [{"do": "random", "seed": $seed, "actions": $count, "files": [$files], "log": "$out/$run.log"}]
 JSON
   code=0
-  "$program" view --offscreen --settings "$out/settings-$run" --script "$out/$run.json" "$scene" >"$out/$run.txt" 2>&1 || code=$?
-  echo "$scene: seed $seed, $count actions, exit code $code"
+  "$program" view --offscreen --size "$size" --settings "$out/settings-$run" --script "$out/$run.json" "$scene" >"$out/$run.txt" 2>&1 || code=$?
+  echo "$scene $size: seed $seed, $count actions, exit code $code"
   if [ "$code" = 1 ] && is_foreign_leak "$out/$run.txt"; then
     echo "  only leaks of code without a module"
     code=0

@@ -12,7 +12,7 @@ using metrics::Drawing;
 using metrics::Point;
 
 constexpr double kTextSize = 13;
-constexpr double kLeft = 44, kRight = 14, kTop = 12, kBottom = 26;  // margins
+constexpr double kLeft = 44, kRight = 14, kTop = 24, kBottom = 26;  // margins
 constexpr double kMaxAxisEnd = 2;                                   // curves are clipped above this value
 
 class Chart {
@@ -49,6 +49,7 @@ class Chart {
   }
 
   void draw_axes() {
+    add_text({kLeft, 14}, "albedo", options_.palette.secondary_text, Anchor::left);
     if (axis_end_ > 1.05) {
       constexpr metrics::Color kOverOne{213, 94, 0, 0.1};
       drawing_.shapes.emplace_back(

@@ -64,17 +64,19 @@ class Polar {
     for (int a = -end; a <= end; a += 30) {
       add_line({at(a, 0), at(a, 1)}, options_.palette.minor_grid);
       if (std::abs(a) > 90 || a == -90 || a == 90) continue;
-      const Point s = at(a, 1.05);
-      drawing_.shapes.emplace_back(metrics::Text{{s.x, s.y + 0.3 * kLabelSize},
+      const Point s = at(a, 1.04);
+      drawing_.shapes.emplace_back(metrics::Text{{s.x, s.y},
                                                  std::to_string(std::abs(a)) + "\u00b0",
                                                  kLabelSize,
                                                  options_.palette.secondary_text,
-                                                 Anchor::middle});
+                                                 a == 0  ? Anchor::middle
+                                                 : a > 0 ? Anchor::right
+                                                         : Anchor::left});
     }
     add_line({at(90, 1), at(-90, 1)}, options_.palette.grid, 1.5);
     if (largest_ > 0)
       drawing_.shapes.emplace_back(metrics::Text{{options_.width - 6.0, 16},
-                                                 "rim " + metrics::short_number(largest_) + " /sr",
+                                                 "outer circle " + metrics::short_number(largest_) + " /sr",
                                                  kLabelSize,
                                                  options_.palette.secondary_text,
                                                  Anchor::right});

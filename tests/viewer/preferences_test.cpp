@@ -116,6 +116,19 @@ TEST_F(Preferences, ThePaletteFindsThem) {
   EXPECT_EQ(settings()["denoiser"], "regression");
 }
 
+TEST_F(Preferences, EscapeClosesTheMenuBeforeTheDialog) {
+  const json wait{{"do", "wait"}, {"seconds", 0.2}};
+  const json menu{{"do", "click"}, {"item", "preferences.font-size"}, {"button", "right"}};
+  ASSERT_EQ(run_with_settings(json::array({click("app.preferences"), wait, menu, wait, key("escape"), wait,
+                                           file_step("state", path("menu.json")), click("preferences.scale"), wait,
+                                           key("escape"), wait, file_step("state", path("list.json")), key("escape"),
+                                           wait, file_step("state", path("dialog.json"))})),
+            0);
+  for (const char* report : {"menu.json", "list.json"})
+    EXPECT_TRUE(state(report)["items"].contains("preferences.close")) << report;
+  EXPECT_FALSE(state("dialog.json")["items"].contains("preferences.close"));
+}
+
 // A message appears at the lower left, where it would cover buttons of a dialog.
 TEST_F(Preferences, MessagesWaitWhileADialogIsOpen) {
   const json wait{{"do", "wait"}, {"seconds", 0.3}};
@@ -164,13 +177,14 @@ TEST_F(Viewer, PaletteFindsParametersOfPanels) {
   const Search searches[] = {{"focal length", "lens.focal-length", "tab.camera"},
                              {"f-number lens", "lens.f-number", "tab.camera"},
                              {"sensor size", "meter.sensor", "tab.light"},
+                             {"candle", "light.preset", "tab.light"},
                              {"pilot time", "advice.pilot", "tab.render"},
                              {"view.aov", "view.aov", "tab.display"},
                              {"repeats conv", "compare.repeats", "panel.convergence"},
                              {"elementary intervals", "sampling.intervals", "panel.sampling"},
                              {"shadow rays trace", "trace.shadow-rays", "panel.trace"},
                              {"burn-in", "lab.sampling.burn-in", "panel.lab"}};
-  json steps = json::array({{{"do", "wait"}, {"spp", 1}}, set("lab.experiment", "markov")});
+  json steps = json::array({{{"do", "wait"}, {"spp", 1}}, set("lab.experiment", "markov"), click("add.light.point")});
   for (const Search& search : searches)
     steps = joined(joined(steps, choose(search.text)),
                    json::array({file_step("state", path(std::string(search.name) + ".json"))}));
@@ -182,6 +196,8 @@ TEST_F(Viewer, PaletteFindsParametersOfPanels) {
     EXPECT_TRUE(report["tab"] == search.panel || report["bottom_panel"] == search.panel) << search.text;
     EXPECT_TRUE(report["items"].contains(search.name)) << search.text;
   }
+  EXPECT_NEAR(state("light.preset.json")["parameters"]["light.0.intensity"].get<double>(), 1 / 0.639, 0.01)
+      << "1 cd, and 0.639 is the luminance of the colour";
   EXPECT_EQ(state("values.json")["parameters"]["view.aov"], "albedo");
   EXPECT_EQ(state("values.json")["lab"]["experiment"], "quadrature");
 }

@@ -20,7 +20,9 @@ constexpr float kDefaultShare = 0.36f;  // of the height of the region
 constexpr float kMaxShare = 0.75f;
 constexpr float kMinHeight = 120;  // units of the interface
 
-float tab_height() { return std::floor(ImGui::GetFontSize() + 10); }
+ImVec2 tab_padding(const AppState& state) { return {std::floor(10 * state.ui.scale), std::floor(5 * state.ui.scale)}; }
+
+float tab_height(const AppState& state) { return std::floor(ImGui::GetFontSize() + 2 * tab_padding(state).y); }
 
 void begin_window(const char* name, const ImVec2& corner, const ImVec2& size, const ImVec2& padding) {
   ImGui::SetNextWindowPos(corner);
@@ -39,7 +41,7 @@ void draw_tab(AppState& state, Panel& panel) {
   const PanelInfo info = panel.info();
   const bool open = state.panels.is_open(panel);
   const Theme& theme = state.ui.theme;
-  ImGui::PushStyleColor(ImGuiCol_Text, open ? theme.accent : theme.secondary_text);
+  ImGui::PushStyleColor(ImGuiCol_Text, open ? theme.text : theme.secondary_text);
   const bool clicked = ImGui::Selectable(info.label, open, 0, {ImGui::CalcTextSize(info.label).x, 0});
   ImGui::PopStyleColor();
   state.ui.items.add(info.name);
@@ -47,8 +49,6 @@ void draw_tab(AppState& state, Panel& panel) {
   tab_menu(state, panel);
   if (clicked) state.panels.toggle(panel);
 }
-
-const ImVec2 kTabPadding{10, 5};  // pixels
 
 std::vector<Panel*> bottom_panels(const AppState& state) {
   std::vector<Panel*> panels;
@@ -135,33 +135,31 @@ Panel* draw_hidden_tabs(AppState& state, std::span<Panel* const> hidden, float e
   return chosen;
 }
 
-// The upper side resizes an open panel.
-void draw_resize_grip(AppState& state, float top, float right, float bottom) {
+// The upper side resizes an open panel. Returns whether the pointer is there.
+bool draw_resize_grip(AppState& state, float top, float right, float bottom) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({0, top});
-  ImGui::InvisibleButton("##grip", {right, kTabPadding.y});
+  ImGui::InvisibleButton("##grip", {right, tab_padding(state).y});
   state.ui.items.add("layout.bottom-panel");
   const bool active = ImGui::IsItemActive();
   const bool hovered = ImGui::IsItemHovered();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
   if (active || hovered) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    draw->AddLine({0, top + 1}, {right, top + 1}, ImGui::GetColorU32(state.ui.theme.accent), 2);
+    ImGui::GetWindowDrawList()->AddLine({0, top + 1}, {right, top + 1}, ImGui::GetColorU32(state.ui.theme.accent), 2);
     if (hovered) tooltip(state.ui, "Drag to change the height; double-click to reset it");
-  } else {
-    draw_grip_dots(draw, {right / 2, top + 2.5f * state.ui.scale}, {6 * state.ui.scale, 0}, state.ui.theme);
   }
   if (active && ImGui::IsMouseDragging(0))  // not by the clicks that reset it
     state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
   if (hovered && ImGui::IsMouseDoubleClicked(0)) state.settings.bottom_panel_height = 0;
   ImGui::SetCursorScreenPos(start);
+  return active || hovered;
 }
 
 void draw_tabs(AppState& state, float top, float right, float bottom, bool resizable) {
-  begin_window("##bottom-tabs", {0, top}, {right, tab_height()}, kTabPadding);
-  if (resizable) draw_resize_grip(state, top, right, bottom);
+  begin_window("##bottom-tabs", {0, top}, {right, tab_height(state)}, tab_padding(state));
+  const bool shows_dots = resizable && !draw_resize_grip(state, top, right, bottom);
   const std::vector<Panel*> tabs = bottom_panels(state);
-  const float room = right - 2 * kTabPadding.x, distance = tab_distance(tabs, room);
+  const float room = right - 2 * tab_padding(state).x, distance = tab_distance(tabs, room);
   ChosenTab chosen;
   for (Panel* tab : tabs)
     if (state.ui.items.scroll_target() == tab->info().name) chosen.set(*tab);
@@ -177,11 +175,14 @@ void draw_tabs(AppState& state, float top, float right, float bottom, bool resiz
     is_first = false;
     draw_tab(state, *tabs[i]);
   }
-  Panel* opened = hidden.empty() ? nullptr : draw_hidden_tabs(state, hidden, right - kTabPadding.x);
+  Panel* opened = hidden.empty() ? nullptr : draw_hidden_tabs(state, hidden, right - tab_padding(state).x);
   if (opened) {
     chosen.set(*opened);
     state.panels.toggle(*opened);
   }
+  const float scale = state.ui.scale;
+  if (shows_dots)
+    draw_grip_dots(ImGui::GetWindowDrawList(), {right / 2, top + 2.5f * scale}, {6 * scale, 0}, state.ui.theme);
   end_window();
 }
 
@@ -197,12 +198,13 @@ float panel_height(const AppState& state, float available) {
 float draw_bottom_panel(AppState& state, float top, float right, float bottom) {
   Panel* panel = state.panels.open_bottom_panel();
   if (!panel) {
-    draw_tabs(state, bottom - tab_height(), right, bottom, false);
-    return bottom - tab_height();
+    draw_tabs(state, bottom - tab_height(state), right, bottom, false);
+    return bottom - tab_height(state);
   }
   const float panel_top = bottom - panel_height(state, bottom - top);
   draw_tabs(state, panel_top, right, bottom, true);
-  begin_window("##bottom-panel", {0, panel_top + tab_height()}, {right, bottom - panel_top - tab_height()}, {10, 6});
+  const float content_top = panel_top + tab_height(state);
+  begin_window("##bottom-panel", {0, content_top}, {right, bottom - content_top}, tab_padding(state));
   ImGui::BeginChild(panel->info().name);
   if (state.has_document())
     panel->draw(state);

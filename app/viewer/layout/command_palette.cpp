@@ -106,6 +106,7 @@ void CommandPalette::draw(AppState& state) {
   if (key_pressed(ImGuiKey_UpArrow) && selected_ > 0) --selected_;
   const PaletteEntry* chosen = entered && selected_ < found.size() ? found[selected_] : nullptr;
   ImGui::BeginChild("##found");
+  ImGui::SetCursorPosY(ImGui::GetStyle().ItemSpacing.y / 2);  // by which the background of an entry is higher
   for (size_t i = 0; i < found.size(); ++i)
     if (draw_entry(state, *found[i], i == selected_, i == selected_ && selected_ != before)) chosen = found[i];
   if (found.empty()) ImGui::TextDisabled("No matching command");

@@ -28,18 +28,18 @@ struct MouseShortcut {
 
 constexpr MouseShortcut kMouseShortcuts[] = {
     {"Orbit", "left drag"},
-    {"Pan", "middle drag, Shift + left drag"},
+    {"Pan", "middle drag, Shift+left drag"},
     {"Dolly to the pointer", "wheel"},
-    {"Fly; wheel for speed", "right drag + W A S D Q E"},
-    {"Turn the environment", "Shift + right drag"},
+    {"Fly; wheel for speed", "right drag and W A S D Q E"},
+    {"Turn the environment", "Shift+right drag"},
     {"Select", "click"},
     {"Focus and orbit centre", "double click"},
     {"Context menu", "right click"},
     {"Divider of A and B", "drag; double click to centre"},
     {"Show the reference", "hold Shift"},
-    {"Samples of a pixel", "Ctrl + click with Sampling panel"},
+    {"Samples of a pixel", "Ctrl+click with Sampling panel"},
     {"Enter a number", "double click"},
-    {"Reset a parameter", "Ctrl + click"},
+    {"Reset a parameter", "Ctrl+click"},
     {"Open a file", "drop it on the window"},
 };
 

@@ -40,6 +40,16 @@ Placement draw_frame(AppState& state) {
   return {Vec2(0, top), glm::max(Vec2(right, bottom - top), Vec2(1))};
 }
 
+// Closes menus, lists and context menus. Dialogs, which close themselves, stay open. Dear ImGui closes popups on Escape only
+// with keyboard navigation, which is off.
+void close_popups() {
+  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  int first = popups.Size;
+  while (first > 0 && !(popups[first - 1].Window && (popups[first - 1].Window->Flags & ImGuiWindowFlags_Modal)))
+    --first;
+  if (first < popups.Size) ImGui::ClosePopupToLevel(first, true);
+}
+
 }  // namespace
 
 void Interface::draw(AppState& state, float seconds) {
@@ -52,14 +62,13 @@ void Interface::draw(AppState& state, float seconds) {
   // Escape closes a popup; it is then not a shortcut.
   const bool closes_popup = interface.popup_open && input.keys_pressed[kEscape];
   const bool flying = input.buttons[static_cast<size_t>(Button::right)];  // W, A, S, D, Q and E move the camera
-  interface.dialog_open = state.files.request || state.files.after_unsaved_edits || !state.files.lost_sessions.empty() ||
-                          interface.preferences_open || interface.welcome_open;
+  interface.dialog_open = state.files.request || state.files.after_unsaved_edits ||
+                          !state.files.lost_sessions.empty() || interface.preferences_open || interface.welcome_open;
   if (!interface.typing && !closes_popup && !interface.dialog_open && !flying) state.actions.run_pressed(state, input);
 
   drop_stale_selection(state);
   viewport.region = draw_frame(state);
-  if (state.has_document())
-    viewport.image = placement_of(viewport.zoom, viewport.region, shown_image_size(state));
+  if (state.has_document()) viewport.image = placement_of(viewport.zoom, viewport.region, shown_image_size(state));
   viewport_.handle_input(state, seconds);
   advance_playback(state, seconds);
   draw_viewport_overlays(state);
@@ -74,9 +83,7 @@ void Interface::draw(AppState& state, float seconds) {
   welcome_.draw(state);
   draw_unsaved_edits_dialog(state);
   draw_recovery_dialog(state);
-  // Dear ImGui closes popups on Escape only with keyboard navigation, which is off.
-  const bool any_popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  if (closes_popup && any_popup) ImGui::ClosePopupToLevel(0, true);
+  if (closes_popup) close_popups();
   interface.popup_open =
       interface.help_open || interface.palette_open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }

@@ -110,7 +110,9 @@ void PreferencesDialog::draw_shortcut(AppState& state, const Action& action) {
   const std::string keys = is_capturing ? "Press keys..." : label(action.chords());
   if (ImGui::Button((keys + "##shortcut").c_str(), {-1, 0})) capturing_ = action.name;
   state.ui.items.add("preferences.shortcut." + action.name);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, "Click, then press the new keys. Delete removes, Escape keeps them");
+  if (ImGui::IsItemHovered())
+    tooltip(state.ui, is_capturing ? "Press the new keys. Delete removes the shortcut, Escape keeps it"
+                                   : "Click, then press the new keys");
   ImGui::TableNextColumn();
   if (action.shortcut != action.default_shortcut) {
     if (ImGui::SmallButton("Reset")) set_shortcut(state, action.name, action.default_shortcut);

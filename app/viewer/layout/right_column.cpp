@@ -64,7 +64,7 @@ void draw_tabs(AppState& state) {
 
 void draw_splitter(AppState& state, float x, float top, float height) {
   const float grip = std::max(6.0f, ImGui::GetFontSize() * 0.4f);
-  ImGui::SetNextWindowPos({x - grip / 2, top});
+  ImGui::SetNextWindowPos({x - grip, top});  // beside the column, which may be in front
   ImGui::SetNextWindowSize({grip, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -76,10 +76,10 @@ void draw_splitter(AppState& state, float x, float top, float height) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (pointed_at) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    draw->AddRectFilled({x - 1, top}, {x + 1, top + height}, ImGui::GetColorU32(state.ui.theme.accent));
+    draw->AddRectFilled({x - 2, top}, {x, top + height}, ImGui::GetColorU32(state.ui.theme.accent));
     tooltip(state.ui, "Drag to change the width; double-click to reset it");
   } else {
-    draw_grip_dots(draw, {x, top + height / 2}, {0, 6 * state.ui.scale}, state.ui.theme);
+    draw_grip_dots(draw, {x - grip / 2, top + height / 2}, {0, 6 * state.ui.scale}, state.ui.theme);
   }
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0))  // not by the clicks that reset it
     state.settings.column_width = (ImGui::GetIO().DisplaySize.x - state.ui.input.mouse.x) / state.ui.scale;

@@ -78,6 +78,8 @@ class StatusLine {
                   "and the image is not black; n/a if the integrator cannot render the scene. Click to choose "
                   "another measure");
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("##measures");
+    // Above the bar, whose numbers stay visible.
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetWindowPos().y}, ImGuiCond_Appearing, {0, 1});
     if (!ImGui::BeginPopup("##measures")) return;
     for (const film::ErrorMeasure choice : film::kErrorMeasures) {
       const Option& option = Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(choice)];
@@ -91,7 +93,7 @@ class StatusLine {
   // The scale of the image. A click fits it into the viewport: the enlarged part, or the resolution of the whole image.
   void add_zoom() {
     const bool is_fitted = state_.viewport.zoom.is_fitted();
-    const std::string text = formatted("%.0f %%", 100 * static_cast<double>(current_scale(state_)));
+    const std::string text = formatted("zoom %.0f %%", 100 * static_cast<double>(current_scale(state_)));
     if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
     ImGui::TextUnformatted(text.c_str());
     state_.ui.items.add("status.zoom");
@@ -217,7 +219,7 @@ void draw_status_bar(AppState& state, float top, float height) {
   ImGui::SetNextWindowPos({0, top});
   ImGui::SetNextWindowSize({width, height});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, state.ui.theme.background);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 4});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * state.ui.scale, 4});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin("##status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -235,7 +237,7 @@ void draw_status_bar(AppState& state, float top, float height) {
       ImGui::PopStyleVar();
       ImGui::SameLine();
     }
-    StatusLine line(state, width - 10);
+    StatusLine line(state, width - 10 * state.ui.scale);
     draw_parts(state, line);
   }
   ImGui::PopFont();

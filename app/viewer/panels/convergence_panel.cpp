@@ -26,8 +26,9 @@ namespace {
 using Phase = bench::LiveBenchmarkSnapshot::Phase;
 
 template <class E>
-void compact_parameter(AppState& state, Choice<E>& choice, float width) {
-  if (const auto value = compact_choice(state, describe(choice), width)) assign(choice, *value);
+void compact_parameter(AppState& state, Choice<E>& choice) {
+  const ParameterInfo info = describe(choice);
+  if (const auto value = compact_choice(state, info, width_of_choice(info))) assign(choice, *value);
 }
 
 template <class T>
@@ -59,6 +60,11 @@ ParameterInfo integrator_parameter(const std::string& value) {
 
 ParameterInfo sampler_parameter(const std::string& value) {
   return registry_choice("compare.sampler", "Sampler", "Sampler of the method to add", value, sampler_infos());
+}
+
+// A choice whose value is the name of an option.
+void compact_name(AppState& state, const ParameterInfo& info, std::string& name) {
+  if (const auto value = compact_choice(state, info, width_of_choice(info))) name = std::get<std::string>(*value);
 }
 
 struct Column {
@@ -250,9 +256,10 @@ class ConvergencePanel final : public Panel {
       ImGui::SameLine();
       action_button(state, "compare.continue");
     }
-    const float rule_width = em * 8.2f, budget_width = em * 5.6f, repeats_width = em * 3;
+    const float rule_width = width_of_choice(describe(parameters.rule)), budget_width = em * 5.6f,
+                repeats_width = em * 3;
     same_line_if_fits(rule_width + budget_width + repeats_width + 2 * ImGui::GetStyle().ItemSpacing.x);
-    compact_parameter(state, parameters.rule, rule_width);
+    compact_parameter(state, parameters.rule);
     ImGui::SameLine();
     if (parameters.rule == bench::Rule::equal_time)
       compact_parameter(state, parameters.seconds, budget_width);
@@ -341,13 +348,10 @@ class ConvergencePanel final : public Panel {
 
   void draw_new_method(AppState& state) {
     auto& parameters = task_.parameters;
-    const float em = ImGui::GetFontSize();
-    if (const auto value = compact_choice(state, integrator_parameter(parameters.integrator), em * 8.4f))
-      parameters.integrator = std::get<std::string>(*value);
-    ImGui::SameLine();
-    if (const auto value = compact_choice(state, sampler_parameter(parameters.sampler), em * 7.4f))
-      parameters.sampler = std::get<std::string>(*value);
-    ImGui::SameLine();
+    compact_name(state, integrator_parameter(parameters.integrator), parameters.integrator);
+    const ParameterInfo sampler = sampler_parameter(parameters.sampler);
+    same_line_if_fits(width_of_choice(sampler));
+    compact_name(state, sampler, parameters.sampler);
     if (ImGui::Button("Add"))
       task_.add_method(parameters.integrator + ":sampler=" + parameters.sampler +
                        (parameters.denoised ? ":denoise=true" : ""));
@@ -355,7 +359,8 @@ class ConvergencePanel final : public Panel {
     if (ImGui::IsItemHovered()) tooltip(state.ui, "Adds this method to the list");
     ImGui::SameLine();
     action_button(state, "compare.add-current");
-    if (const auto value = parameter_widget(state, describe(parameters.denoised))) assign(parameters.denoised, *value);
+    ImGui::SameLine();
+    if (const auto value = compact_toggle(state, describe(parameters.denoised))) assign(parameters.denoised, *value);
     const auto methods = parameter_widget(state, describe(parameters.added));
     if (!methods) return;
     if (const auto added = task_.add_methods(std::get<std::string>(*methods), state.document()); !added)
@@ -363,13 +368,12 @@ class ConvergencePanel final : public Panel {
   }
 
   void draw_chart_parameters(AppState& state) {
-    const float em = ImGui::GetFontSize();
-    compact_parameter(state, task_.parameters.chart, em * 8);
-    ImGui::SameLine();
-    compact_parameter(state, task_.parameters.error, em * 9.2f);
-    ImGui::SameLine();
-    compact_parameter(state, task_.parameters.axis, em * 7.6f);
-    same_line_if_fits(em * 8);
+    compact_parameter(state, task_.parameters.chart);
+    same_line_if_fits(width_of_choice(describe(task_.parameters.error)));
+    compact_parameter(state, task_.parameters.error);
+    same_line_if_fits(width_of_choice(describe(task_.parameters.axis)));
+    compact_parameter(state, task_.parameters.axis);
+    same_line_if_fits(ImGui::GetFontSize() * 8);
     action_button(state, "compare.export");
   }
 

@@ -12,8 +12,8 @@
 #include "viewer/tasks/convergence_task.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/ui_context.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -233,7 +233,7 @@ std::optional<size_t> draw_points(UiContext& ui, const ConvergenceTask& task, co
 std::optional<size_t> draw_pareto_chart(UiContext& ui, const ConvergenceTask& task,
                                         const std::vector<MethodCurves>& curves, const metrics::ChartOptions& options,
                                         const ImVec2& corner) {
-  paint(*ImGui::GetWindowDrawList(), metrics::pareto_chart(curves, options), corner, ui.scale, ui.fonts.small);
+  paint(ui, *ImGui::GetWindowDrawList(), metrics::pareto_chart(curves, options), corner);
   if (!task.is_current()) draw_outdated_label(ui, corner, metrics::pareto_frame(curves, options));
   return draw_points(ui, task, curves, options, corner);
 }
@@ -254,9 +254,8 @@ std::optional<size_t> draw_convergence_chart(UiContext& ui, const ConvergenceTas
     return std::nullopt;
   }
   const metrics::ChartOptions options = panel_chart_options(ui, task, size);
-  if (task.parameters.chart == ConvergenceChart::pareto)
-    return draw_pareto_chart(ui, task, curves, options, corner);
-  paint(*ImGui::GetWindowDrawList(), metrics::convergence_chart(curves, options), corner, ui.scale, ui.fonts.small);
+  if (task.parameters.chart == ConvergenceChart::pareto) return draw_pareto_chart(ui, task, curves, options, corner);
+  paint(ui, *ImGui::GetWindowDrawList(), metrics::convergence_chart(curves, options), corner);
   if (!task.is_current()) draw_outdated_label(ui, corner, metrics::chart_frame(curves, options));
   if (hovered) CrossHair(ui, corner, curves, options).draw();
   return std::nullopt;

@@ -257,7 +257,7 @@ class LabPanel final : public Panel {
     options.width = static_cast<int>(chart_size.x / state.ui.scale);
     options.height = static_cast<int>(chart_size.y / state.ui.scale);
     draw_chart(state.ui, "lab.chart." + std::to_string(index), chart_size, experiments::drawing_of(chart, options));
-    draw_legend(names, size.x);
+    draw_legend(state.ui.theme, names, size.x);
   }
 
   // Title and axes; the drawing of a chart of errors names its axes itself.
@@ -294,13 +294,13 @@ class LabPanel final : public Panel {
     return lines;
   }
 
-  static void draw_legend(const std::vector<std::string>& names, float width) {
+  static void draw_legend(const Theme& theme, const std::vector<std::string>& names, float width) {
     float used = 0;
     for (size_t i = 0; i < names.size(); ++i) {
       const bool fits = used > 0 && used + legend_width(names[i]) <= width;
       if (fits) ImGui::SameLine(0, ImGui::GetFontSize());
       used = (fits ? used : 0) + legend_width(names[i]);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::method_color(i))), "%s", names[i].c_str());
+      ImGui::TextColored(text_color(metrics::method_color(i), theme), "%s", names[i].c_str());
     }
   }
 

@@ -65,9 +65,8 @@ void list_emissive_materials(AppState& state, const scene::Scene& scene) {
   }
 }
 
-// Colour and power of well-known light sources.
-void preset_widget(AppState& state, size_t index) {
-  const Light& light = state.document().scene->lights[index];
+// Colour and power of well-known light sources: of those that fit the light, or of all.
+ParameterInfo preset_parameter(const Light* light) {
   ParameterInfo info;
   info.name = kPresetItem;
   info.label = "Preset";
@@ -77,10 +76,16 @@ void preset_widget(AppState& state, size_t index) {
   info.options = {"none"};
   info.option_labels = {"Choose a light source"};
   for (const LightPreset& preset : kLightPresets) {
-    if (!fits(preset, light)) continue;
+    if (light && !fits(preset, *light)) continue;
     info.options.emplace_back(preset.name);
     info.option_labels.emplace_back(preset.label);
   }
+  return info;
+}
+
+void preset_widget(AppState& state, size_t index) {
+  const Light& light = state.document().scene->lights[index];
+  const ParameterInfo info = preset_parameter(&light);
   if (info.options.size() < 2) return;
   const auto chosen = parameter_widget(state, info);
   for (const LightPreset& preset : kLightPresets) {
@@ -148,6 +153,7 @@ class LightPanel final : public Panel {
   std::vector<ParameterInfo> parameters() const override {
     auto list = describe_all(LightMeter::Parameters{}.all());
     list.push_back(unit_parameter(UnitSystem::photometric, kLuminousIntensity));
+    list.push_back(preset_parameter(nullptr));
     return list;
   }
 

@@ -8,8 +8,8 @@
 #include "bsdf/bsdf_model.h"
 #include "bsdf/fresnel/metal_spectra.h"
 #include "render/document.h"
-#include "spectrum/uplift.h"
 #include "scene/structural_edit.h"
+#include "spectrum/uplift.h"
 #include "viewer/panels/library_section.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
@@ -73,6 +73,7 @@ void material_combo(AppState& state, const scene::Scene& scene, bool has_selecti
   const auto name = [&](size_t i) { return object_name(scene.materials[i].name, "material", i); };
   const auto selected = static_cast<size_t>(std::max(0, state.selection.material));
   ImGui::SetNextItemWidth(-1);
+  keep_combo_visible();
   if (ImGui::BeginCombo("##material", has_selection ? name(selected).c_str() : "No material selected")) {
     for (size_t i = 0; i < scene.materials.size(); ++i) {
       if (!scene::has_material(scene, static_cast<int>(i))) continue;
@@ -117,6 +118,7 @@ void name_and_buttons(AppState& state, const Material& material) {
 // The presets of all reflection models.
 void presets_combo(AppState& state) {
   label_column("Presets");
+  keep_combo_visible();
   if (ImGui::BeginCombo("##presets", "All models...", ImGuiComboFlags_HeightLarge)) {
     size_t index = 0;
     for (const BsdfModelInfo& model : bsdf_model_infos()) {
@@ -266,9 +268,7 @@ class MaterialPanel final : public Panel {
     return index.has_value();
   }
 
-  std::vector<ParameterInfo> parameters() const override {
-    return describe_all(TextureSection::Parameters{}.all());
-  }
+  std::vector<ParameterInfo> parameters() const override { return describe_all(TextureSection::Parameters{}.all()); }
 
   void update(AppState& state) override {
     if (state.is_visible(*this)) state.tasks.surface_analysis->request_checks();

@@ -48,7 +48,7 @@ namespace {
 using integrator::SolutionView;
 
 constexpr const char* kComponents[] = {"Red", "Green", "Blue"};
-constexpr double kUnshotDecades = 4;   // of the colour scale of unshot power
+constexpr double kUnshotDecades = 4;         // of the colour scale of unshot power
 constexpr float kSolverControlsBeside = 48;  // width from which the chart is beside the controls, em
 
 struct PanelSettings {
@@ -209,8 +209,8 @@ class RadiosityPanel final : public Panel {
     // In the colours of the curves.
     for (size_t c = 0; c < solution.history.size(); ++c)
       if (const size_t residuals = solution.history[c].residuals.size(); residuals > 0)
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::method_color(c))), "%s: %zu sweeps",
-                           kComponents[c], residuals - 1);
+        ImGui::TextColored(text_color(metrics::method_color(c), ui.theme), "%s: %zu sweeps", kComponents[c],
+                           residuals - 1);
     labelled_value(ui, "State", solution.is_complete ? "solved" : solution.has_factors ? "solving" : "form factors");
     if (!solution.problem.empty()) warning(ui, solution.problem);
   }

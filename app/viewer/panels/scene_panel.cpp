@@ -108,8 +108,9 @@ void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
   if (scene::has_animated_transform(scene, index))
-    note(state.ui, "Keyframes place this object, and the values above have no effect. Handles and Set keyframe change its place "
-                   "at the present time.");
+    note(state.ui,
+         "Keyframes set the transform of this object: translation, rotation and scale above have no effect. Handles "
+         "and Set keyframe change it at the current time.");
   if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
   action_button(state, "view.frame-selection");
   ImGui::SameLine();

@@ -189,8 +189,8 @@ class SurfacePanel final : public Panel {
       const SurfaceMeasurement* measurement = analysis.result(side);
       if (!measurement) continue;
       ImGui::PushID(static_cast<int>(side));
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::method_color(side))), "%s%s",
-                         measurement->model.c_str(), side == 1 ? " (pinned)" : "");
+      ImGui::TextColored(text_color(metrics::method_color(side), state.ui.theme), "%s%s", measurement->model.c_str(),
+                         side == 1 ? " (pinned)" : "");
       draw_values(state.ui, *measurement);
       ImGui::PopID();
     }

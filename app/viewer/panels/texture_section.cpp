@@ -60,16 +60,16 @@ std::string size_text(const Texture& texture) {
 }
 
 void request_texture(AppState& state, const TextureSlot& slot) {
-  state.files.request = FileRequest{.title = std::string("Texture: ") + slot.label,
-                                    .extensions = image::readable_extensions(),
-                                    .accept = [&state, &slot](const std::string& file) {
-                                      load_texture(state, slot, file);
-                                    }};
+  state.files.request =
+      FileRequest{.title = std::string("Texture: ") + slot.label,
+                  .extensions = image::readable_extensions(),
+                  .accept = [&state, &slot](const std::string& file) { load_texture(state, slot, file); }};
 }
 
 // A list of the slots that have no texture.
 void draw_add_texture(AppState& state, const Material& material) {
   ImGui::SetNextItemWidth(-1);
+  keep_combo_visible();
   if (ImGui::BeginCombo("##add-texture", "Add texture...", ImGuiComboFlags_HeightLarge)) {
     for (const TextureSlot& slot : texture_slots()) {
       if ((material.*slot.use).texture >= 0 || (material.model && !slot.applies_to_models)) continue;

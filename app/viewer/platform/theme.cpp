@@ -63,7 +63,7 @@ constexpr Palette kLight{
 };
 
 // Height of the small font, relative to the others.
-constexpr float kSmallFont = 13.0f / 16;
+constexpr float kSmallFont = 14.0f / 16;
 
 // Fonts for characters that the fonts of the interface lack: symbols, then Chinese, Japanese and Korean.
 constexpr const char* kSymbolFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
@@ -164,6 +164,9 @@ Theme apply_theme(bool dark, float scale) {
   c[ImGuiCol_TextSelectedBg] = hex(p.accent, 0.35f);
   c[ImGuiCol_NavHighlight] = c[ImGuiCol_SeparatorActive] = c[ImGuiCol_SeparatorHovered] = hex(p.accent);
   c[ImGuiCol_ScrollbarBg] = hex(p.panel, 0);
+  c[ImGuiCol_TitleBg] = c[ImGuiCol_TableHeaderBg] = hex(p.field);
+  c[ImGuiCol_TitleBgActive] = hex(p.selected);
+  c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.5f};
   ImGui::GetStyle() = style;
   return {.dark = dark,
           .background = hex(p.background),

@@ -8,8 +8,22 @@
 #include "scene/builtin/builtin.h"
 #include "viewer/files/file_names.h"
 #include "viewer/panels/object_names.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
+namespace {
+
+// The label of a section that belongs to no object of the scene.
+std::string settings_label(const std::string& section) {
+  if (const auto* info = integrator::find_integrator(section)) return info->label;
+  if (const auto* info = find_sampler(section)) return info->label;
+  if (section == "auto") return "Automatic integrator";
+  if (section == "film") return "Image";
+  return label_of_name(section);
+}
+
+}  // namespace
+
 std::string section_label(const render::Document& document, const std::string& section) {
   const scene::Scene& scene = *document.scene;
   const auto name = [&](const auto& objects, const char* kind) -> std::string {
@@ -20,7 +34,7 @@ std::string section_label(const render::Document& document, const std::string& s
   std::string label = name(scene.materials, "material");
   if (label.empty()) label = name(scene.lights, "light");
   if (label.empty()) label = name(scene.nodes, "node");
-  return label.empty() ? section : label;
+  return label.empty() ? settings_label(section) : label;
 }
 
 bool same_view(const render::Document& a, const render::Document& b) {

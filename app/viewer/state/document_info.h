@@ -22,7 +22,7 @@ bool same_view(const render::Document& a, const render::Document& b);
 // The description of a parameter by its qualified name, or nothing if the document has no such parameter.
 std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name);
 
-// The name of the object that a section of the document belongs to ("material.3"), or the section.
+// The name of the object that a section of the document belongs to ("material.3"); otherwise a label of the section.
 std::string section_label(const render::Document& document, const std::string& section);
 // The label of a parameter with the object that it belongs to: "Roughness of Tall box".
 std::string full_label(const render::Document& document, const render::DocumentParameter& parameter);

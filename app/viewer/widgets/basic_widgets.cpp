@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "viewer/widgets/number_widget.h"
@@ -56,6 +57,13 @@ void tooltip(const UiContext& ui, const std::string& text) {
 void same_line_if_fits(float width) {
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void keep_combo_visible() {
+  const float top = ImGui::GetCursorScreenPos().y, bottom = top + ImGui::GetFrameHeight();
+  const float margin = 2 * ImGui::GetStyle().DisplaySafeAreaPadding.y;
+  const float room = std::max(top, ImGui::GetIO().DisplaySize.y - bottom) - margin;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, room});
 }
 
 void note(const UiContext& ui, const std::string& text) { wrapped_text(text, ui.theme.secondary_text); }

@@ -39,6 +39,9 @@ constexpr float kControlColumnWidth = 20;
 // Continues the line if an item of this width fits.
 void same_line_if_fits(float width);
 
+// Limits the height of the list of the next combo box to the room above or below the box, so that it stays visible.
+void keep_combo_visible();
+
 // Places `controls` of this width to the right of `content`, or below it in windows of less than three times the width.
 void with_controls(const UiContext& ui, float width, const std::function<void()>& content,
                    const std::function<void()>& controls);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spectrum/rgb.h"
+
 namespace etendue::viewer {
 namespace {
 
@@ -34,8 +36,8 @@ std::vector<Crossing> crossings(const std::vector<Point>& points, double left, d
 
 class Painter {
  public:
-  Painter(ImDrawList& list, const ImVec2& corner, float scale, ImFont* font)
-      : list_(list), corner_(corner), scale_(scale), font_(font) {}
+  Painter(const UiContext& ui, ImDrawList& list, const ImVec2& corner)
+      : list_(list), corner_(corner), scale_(ui.scale), font_(ui.fonts.small), theme_(ui.theme) {}
 
   // Dear ImGui fills only convex polygons, so an area is divided into vertical strips at the x coordinates of its
   // corners. Anti-aliasing is off because it would make the borders between strips visible.
@@ -83,7 +85,7 @@ class Painter {
     const float width = font_->CalcTextSizeA(font_->FontSize, 1e6f, 0, words.text.c_str()).x;
     if (words.anchor != metrics::Anchor::left) place.x -= words.anchor == metrics::Anchor::right ? width : width / 2;
     list_.AddText(font_, font_->FontSize, {std::floor(place.x), std::floor(place.y - font_->Ascent)},
-                  color_of(words.color), words.text.c_str());
+                  ImGui::GetColorU32(text_color(words.color, theme_)), words.text.c_str());
   }
 
  private:
@@ -106,12 +108,33 @@ class Painter {
   const ImVec2 corner_;
   const float scale_;
   ImFont* const font_;
+  const Theme& theme_;
 };
+
+// Relative luminance of an sRGB colour.
+double luminance(const ImVec4& color) {
+  return static_cast<double>(
+      etendue::luminance({srgb_to_linear(color.x), srgb_to_linear(color.y), srgb_to_linear(color.z)}));
+}
+
+double contrast(const ImVec4& a, const ImVec4& b) {
+  const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
+  return (light + 0.05) / (dark + 0.05);
+}
 
 }  // namespace
 
-void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
-  Painter painter(list, corner, scale, font);
+ImVec4 text_color(const metrics::Color& color, const Theme& theme) {
+  constexpr double kLeastContrast = 4.5;
+  const ImVec4 original = ImGui::ColorConvertU32ToFloat4(color_of(color));
+  if (contrast(original, theme.panel) >= kLeastContrast) return original;
+  const auto mixed = [](float a, float b) { return 0.5f * (a + b); };
+  return {mixed(original.x, theme.text.x), mixed(original.y, theme.text.y), mixed(original.z, theme.text.z),
+          original.w};
+}
+
+void paint(const UiContext& ui, ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner) {
+  Painter painter(ui, list, corner);
   for (const auto& shape : drawing.shapes) std::visit(painter, shape);
 }
 
@@ -130,7 +153,7 @@ bool draw_chart(UiContext& ui, const std::string& name, const Vec2& size, const 
   ui.items.add(name);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-  paint(*list, drawing, corner, ui.scale, ui.fonts.small);
+  paint(ui, *list, drawing, corner);
   list->PopClipRect();
   return ImGui::IsItemActive();
 }

@@ -10,9 +10,9 @@
 
 namespace etendue::viewer {
 
-// `corner` is the upper left corner of the drawing on screen, `scale` the size of one unit of the drawing in pixels.
-// Text is drawn at the size of `font`, independent of the size in the drawing, because scaled glyphs would be blurred.
-void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
+// `corner` is the upper left corner of the drawing on screen. One unit of the drawing is one unit of the interface. Text
+// has the size of the small font, independent of the size in the drawing, because scaled glyphs would be blurred.
+void paint(const UiContext& ui, ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner);
 
 // Draws a chart as an item of this size and name. Returns true while it is dragged.
 bool draw_chart(UiContext& ui, const std::string& name, const Vec2& size, const metrics::Drawing& drawing);
@@ -21,6 +21,8 @@ bool draw_chart(UiContext& ui, const std::string& name, const Vec2& size, const 
 metrics::ChartPalette chart_palette(const Theme& theme);
 
 ImU32 color_of(const metrics::Color& color);
+// A colour for text: mixed with the text colour of the theme if its contrast with a panel is below 4.5 (WCAG 2.1).
+ImVec4 text_color(const metrics::Color& color, const Theme& theme);
 metrics::Color chart_color(const ImVec4& color);
 
 }  // namespace etendue::viewer

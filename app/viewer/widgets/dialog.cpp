@@ -25,6 +25,9 @@ bool dialog_button(AppState& state, const char* label, const char* name) {
   return pressed;
 }
 
-bool escape_is_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
+bool escape_is_pressed() {
+  const bool popup_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  return !popup_is_open && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
 
 }  // namespace etendue::viewer

@@ -13,6 +13,7 @@ bool begin_dialog(const char* name, const ImVec2& size = {0, 0});
 // A button that scripts find as `item`.
 bool dialog_button(AppState& state, const char* label, const char* item);
 
+// Whether Escape is pressed for the current dialog: a list or menu that is open above it comes first.
 bool escape_is_pressed();
 
 }  // namespace etendue::viewer

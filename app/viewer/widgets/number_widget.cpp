@@ -193,7 +193,7 @@ std::string number_label(const ParameterInfo& info) {
 
 std::string range_text(const ParameterInfo& info) {
   if (const ScreenUnit* unit = screen_unit(info)) return range_text(converted(info, *unit));
-  const std::string range = formatted("%.4g to %.4g", info.min, info.max);
+  const std::string range = formatted("%.7g to %.7g", info.min, info.max);
   return info.unit.empty() ? range : range + " " + info.unit;
 }
 

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "render/document.h"
@@ -24,6 +25,7 @@ using Parameters = std::vector<render::DocumentParameter>;
 void options_combo(UiContext& ui, const ParameterInfo& info, const char* preview, size_t selected, WidgetEdit& edit) {
   ImGuiComboFlags flags = ImGuiComboFlags_HeightLarge;
   if (!preview) flags |= ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft;
+  keep_combo_visible();
   if (!ImGui::BeginCombo("##options", preview, flags)) return;
   if (auto chosen = option_list(ui, info, selected)) edit.value = std::move(chosen);
   ImGui::EndCombo();
@@ -268,15 +270,34 @@ std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, 
   const size_t selected = index_of_option(info);
   ImGui::PushID(info.name.c_str());
   ImGui::SetNextItemWidth(width);
+  keep_combo_visible();
   const bool open = ImGui::BeginCombo("##", info.option_labels[selected].c_str());
   if (open) {
     edit.value = option_list(state.ui, info, selected);
     ImGui::EndCombo();
   } else {
+    state.ui.items.add_text(info.name, std::round(ImGui::GetItemRectSize().x) >= width_of_choice(info));
     describe_choice(state.ui, info, info.option_labels[selected]);
     edit.reset = parameter_menu(state, info);
   }
   ImGui::PopID();
+  const std::optional<Value> value = new_value(state, info, edit);
+  return value ? value : take_requested_value(state.ui, info);
+}
+
+float width_of_choice(const ParameterInfo& info) {
+  float widest = 0;
+  for (const std::string& label : info.option_labels) widest = std::max(widest, ImGui::CalcTextSize(label.c_str()).x);
+  return std::ceil(widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x);
+}
+
+std::optional<Value> compact_toggle(AppState& state, const ParameterInfo& info) {
+  ImGui::PushID(info.name.c_str());
+  WidgetEdit edit = toggle_widget(state.ui, info);
+  edit.reset = parameter_menu(state, info);
+  ImGui::PopID();
+  ImGui::SameLine();
+  ImGui::TextUnformatted(info.label.c_str());
   const std::optional<Value> value = new_value(state, info, edit);
   return value ? value : take_requested_value(state.ui, info);
 }

@@ -52,6 +52,7 @@ std::string label_of_name(std::string name) {
   if (name.empty()) return name;
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   if (const size_t dash = name.find('-'); dash != std::string::npos) name[dash] = ' ';
+  if (name.ends_with(" id")) name.replace(name.size() - 2, 2, "ID");
   return name;
 }
 

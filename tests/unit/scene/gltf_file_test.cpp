@@ -77,11 +77,11 @@ TEST_F(Files, FilesThatAreNotGltf) {
   };
   EXPECT_EQ(message(folder_ / "none.gltf"), (folder_ / "none.gltf").string() + ": there is no such file");
   EXPECT_EQ(message(folder_), folder_.string() + ": this is a folder; give a file");
-  EXPECT_EQ(error_of(""), "is empty; it has to be a .gltf or .glb file");
-  EXPECT_EQ(error_of("hello"), "is not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)");
-  EXPECT_TRUE(error_of("{\"asset\": }").starts_with("is not valid JSON: parse error at line 1, column 11"));
-  EXPECT_TRUE(error_of("{\n\"asset\":\n }").starts_with("is not valid JSON: parse error at line 3"));
-  EXPECT_EQ(error_of("{}"), "is not glTF: asset.version is missing");
+  EXPECT_EQ(error_of(""), "the file is empty; it has to be a .gltf or .glb file");
+  EXPECT_EQ(error_of("hello"), "not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)");
+  EXPECT_TRUE(error_of("{\"asset\": }").starts_with("not valid JSON: parse error at line 1, column 11"));
+  EXPECT_TRUE(error_of("{\n\"asset\":\n }").starts_with("not valid JSON: parse error at line 3"));
+  EXPECT_EQ(error_of("{}"), "not glTF: asset.version is missing");
 }
 
 TEST_F(Files, DeepNestingIsRejected) {
@@ -95,11 +95,11 @@ TEST_F(Files, Versions) {
   EXPECT_EQ(with_asset("{\"version\":\"2.0\"}"), "");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\"}"), "")
       << "later minor versions are compatible unless minVersion excludes 2.0";
-  EXPECT_EQ(with_asset("{\"version\":\"1.0\"}"), "has the glTF version 1.0 (asset.version); only 2.0 is supported");
+  EXPECT_EQ(with_asset("{\"version\":\"1.0\"}"), "glTF version 1.0 (asset.version) is not supported, only 2.0 is");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\",\"minVersion\":\"2.1\"}"),
             "requires glTF 2.1 (asset.minVersion); only 2.0 is supported");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\",\"minVersion\":\"2.0\"}"), "");
-  EXPECT_EQ(with_asset("{\"version\":2.0}"), "has the glTF version 2.0 (asset.version); only 2.0 is supported");
+  EXPECT_EQ(with_asset("{\"version\":2.0}"), "glTF version 2.0 (asset.version) is not supported, only 2.0 is");
 }
 
 TEST_F(Files, GlbHeader) {
@@ -110,9 +110,9 @@ TEST_F(Files, GlbHeader) {
     return std::string(good).replace(offset, 4, Gltf::word(value));
   };
   EXPECT_EQ(error_of(good), "");
-  EXPECT_EQ(error_of(good.substr(0, 8)), "is truncated: a GLB header has 12 bytes, but the file has 8");
-  EXPECT_EQ(error_of(patched(4, 1)), "is a GLB of version 1; only version 2 is supported");
-  EXPECT_EQ(error_of(good.substr(0, good.size() - 10)), "is truncated: the GLB header declares " +
+  EXPECT_EQ(error_of(good.substr(0, 8)), "truncated: a GLB header has 12 bytes, but the file has 8");
+  EXPECT_EQ(error_of(patched(4, 1)), "GLB version 1 is not supported, only version 2 is");
+  EXPECT_EQ(error_of(good.substr(0, good.size() - 10)), "truncated: the GLB header declares " +
                                                             std::to_string(good.size()) + " bytes, but the file has " +
                                                             std::to_string(good.size() - 10));
   EXPECT_EQ(error_of(patched(8, 12)), "the GLB header declares 12 bytes; a header and one chunk need at least 20");

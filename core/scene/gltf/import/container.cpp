@@ -19,11 +19,11 @@ std::string number(uint64_t n) { return std::to_string(n); }
 // The file without trailing bytes. GLB of version 1 has the same magic number and another layout.
 Bytes checked_body(Bytes file, std::vector<std::string>& warnings) {
   if (file.size() < kHeader)
-    throw FileError{"is truncated: a GLB header has 12 bytes, but the file has " + number(file.size())};
+    throw FileError{"truncated: a GLB header has 12 bytes, but the file has " + number(file.size())};
   const uint32_t version = word_at(file, 4), length = word_at(file, 8);
-  if (version != 2) throw FileError{"is a GLB of version " + number(version) + "; only version 2 is supported"};
+  if (version != 2) throw FileError{"GLB version " + number(version) + " is not supported, only version 2 is"};
   if (length > file.size())
-    throw FileError{"is truncated: the GLB header declares " + number(length) + " bytes, but the file has " +
+    throw FileError{"truncated: the GLB header declares " + number(length) + " bytes, but the file has " +
                     number(file.size())};
   if (length < kHeader + kChunkHeader)
     throw FileError{"the GLB header declares " + number(length) + " bytes; a header and one chunk need at least 20"};

@@ -330,7 +330,7 @@ json parse_json(std::string_view text, std::vector<std::string>& warnings) {
   while (!text.empty() && text.back() == '\0') text.remove_suffix(1);
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || text[first] != '{')
-    throw FileError{"is not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)"};
+    throw FileError{"not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)"};
   if (json_nesting(text) > kMaxNesting)
     throw FileError{"the JSON is nested more than " + std::to_string(kMaxNesting) + " levels deep"};
   try {
@@ -338,18 +338,18 @@ json parse_json(std::string_view text, std::vector<std::string>& warnings) {
   } catch (const json::exception& error) {
     std::string what = error.what();
     const size_t name = what.find("] ");
-    throw FileError{"is not valid JSON: " + (name == std::string::npos ? what : what.substr(name + 2))};
+    throw FileError{"not valid JSON: " + (name == std::string::npos ? what : what.substr(name + 2))};
   }
 }
 
 void check_asset(const json& root) {
   const auto asset = root.find("asset");
   if (asset == root.end() || !asset->is_object() || !asset->contains("version"))
-    throw FileError{"is not glTF: asset.version is missing"};
+    throw FileError{"not glTF: asset.version is missing"};
   const auto [major, minor] = version_of((*asset)["version"]);
   if (major != 2 || minor < 0)
-    throw FileError{"has the glTF version " + version_text((*asset)["version"]) +
-                    " (asset.version); only 2.0 is supported"};
+    throw FileError{"glTF version " + version_text((*asset)["version"]) +
+                    " (asset.version) is not supported, only 2.0 is"};
   if (asset->contains("minVersion")) {
     const auto least = version_of((*asset)["minVersion"]);
     if (least.first < 0 || least > std::pair(2, 0))

@@ -139,7 +139,7 @@ bool is_supported(const std::string& extension) {
 void open_input_file(const std::filesystem::path& path, InputFile& input, const std::function<bool(float)>& progress) {
   auto file = read_file(path);
   if (!file) throw FileError{without_path(file.error().message, path)};
-  if (file->empty()) throw FileError{"is empty; it has to be a .gltf or .glb file"};
+  if (file->empty()) throw FileError{"the file is empty; it has to be a .gltf or .glb file"};
   input.folder = path.parent_path();
   const Container container = split_container(*file, input.warnings);
   json root = parse_json(container.json, input.warnings);
