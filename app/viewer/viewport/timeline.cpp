@@ -38,9 +38,7 @@ void set_parameter(AppState& state, const char* name, const Value& value, const 
   if (is_saved) state.editor->mark_scene_saved(state.document().scene);
 }
 
-void set_time(AppState& state, float time) {
-  set_parameter(state, "scene.time", static_cast<double>(time), kGesture);
-}
+void set_time(AppState& state, float time) { set_parameter(state, "scene.time", static_cast<double>(time), kGesture); }
 
 // The frame at the present time, and the last one that is not after the end.
 int64_t present_frame(const AppState& state) {
@@ -111,12 +109,22 @@ void draw_range(const AppState& state, double end) {
                                             ImGui::GetColorU32(state.ui.theme.accent));
 }
 
+// Darkens the part of the slider that was drawn last that is beyond the end of the animation.
+void shade_beyond_end(const AppState& state, float duration, float end) {
+  if (duration >= end) return;
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImVec4 shade = state.ui.theme.background;
+  shade.w = 0.6f;
+  ImGui::GetWindowDrawList()->AddRectFilled({min.x + (max.x - min.x) * duration / end, min.y}, max,
+                                            ImGui::GetColorU32(shade));
+}
+
 // Marks the keyframes of the selected object on the slider that was drawn last.
 void draw_keyframes(const AppState& state, float end) {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const float half = 0.22f * ImGui::GetFontSize(), y = 0.5f * (min.y + max.y);
   for (const float time : selected_keyframes(state)) {
-    const float x = min.x + (max.x - min.x) * time / end;
+    const float x = std::clamp(min.x + (max.x - min.x) * time / end, min.x + half, max.x - half);
     const bool is_present = std::abs(time - state.document().scene->time) <= scene::kKeyframeTolerance;
     const ImU32 color = ImGui::GetColorU32(is_present ? state.ui.theme.accent : state.ui.theme.text);
     ImGui::GetWindowDrawList()->AddQuadFilled({x - half, y}, {x, y - half}, {x + half, y}, {x, y + half}, color);
@@ -124,16 +132,15 @@ void draw_keyframes(const AppState& state, float end) {
 }
 
 bool has_channels(const AppState& state) {
-  return state.has_document() && std::ranges::any_of(state.document().scene->animations,
-                                                     [](const auto& a) { return !a->channels.empty(); });
+  return state.has_document() &&
+         std::ranges::any_of(state.document().scene->animations, [](const auto& a) { return !a->channels.empty(); });
 }
 
 // The end of the slider: of the animation, or beyond it where keyframes were set, so that there is room for the next one.
 float slider_end(const AppState& state) {
   const float duration = scene::animation_duration(*state.document().scene);
-  const bool has_own_keyframes = std::ranges::any_of(state.document().structure, [](const auto& edit) {
-    return edit.kind == scene::EditKind::set_keyframe;
-  });
+  const bool has_own_keyframes = std::ranges::any_of(
+      state.document().structure, [](const auto& edit) { return edit.kind == scene::EditKind::set_keyframe; });
   if (!has_own_keyframes) return duration;
   return std::max(kKeyframeRoom * (std::floor(duration / kKeyframeRoom) + 1), state.document().scene->time);
 }
@@ -212,8 +219,8 @@ void draw_timeline(AppState& state) {
   const float width = std::min(region.size.x - 20, em * kWidth);
   const bool is_narrow = width < em * kNarrowWidth;
   if (width < em * 12) return;
-  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - 10},
-                          ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - 10}, ImGuiCond_Always,
+                          {0.5f, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.85f);
   ImGui::Begin("##timeline", nullptr,
@@ -233,9 +240,13 @@ void draw_timeline(AppState& state) {
   ImGui::SetNextItemWidth(-em * (is_narrow ? 7 : 12));
   const bool moved = ImGui::SliderFloat("##time", &time, 0, end, "");
   state.ui.items.add(kTimeSlider);
+  shade_beyond_end(state, duration, end);
   draw_range(state, static_cast<double>(end));
   draw_keyframes(state, end);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which animations are evaluated. Marks: keyframes of the selected object");
+  if (ImGui::IsItemHovered())
+    tooltip(state.ui,
+            "Time at which animations are evaluated. Marks: keyframes of the selected object. The darker part after "
+            "the last keyframe is for new ones");
   if (moved) {
     playback.is_playing = false;
     set_time(state, time);
