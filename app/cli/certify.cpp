@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "advisor/certify.h"
+#include "base/json_text.h"
 #include "base/number_text.h"
 #include "command.h"
 #include "interrupt.h"
@@ -91,7 +92,7 @@ int run_certify(const CertifyArguments& a) {
   });
   progress.finish();
   if (a.json)
-    std::printf("%s\n", finding_json(finding, *claim).dump(2).c_str());
+    std::printf("%s\n", json_text(finding_json(finding, *claim), 2).c_str());
   else
     print(finding, *claim);
   if (finding.interrupted) return static_cast<int>(Fault::interrupted);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/json_text.h"
 #include "command.h"
 #include "json.h"
 #include "metrics/flip.h"
@@ -56,7 +57,7 @@ void print(const Rows& rows, bool as_json, bool equal) {
       std::printf(name == std::string("bias") && value != 0 ? "%-9s %+.6g\n" : "%-9s %.6g\n", name, value);
   }
   j["equal"] = equal;
-  if (as_json) std::printf("%s\n", j.dump(2).c_str());
+  if (as_json) std::printf("%s\n", json_text(j, 2).c_str());
   if (!as_json && equal) std::printf("the images are equal\n");
 }
 

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/json_text.h"
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
@@ -94,7 +95,7 @@ int run_energy(const EnergyArguments& a) {
   if (interrupted) return static_cast<int>(Fault::interrupted);
   if (!audit) return fail(input_error(a.scene.scene + ": " + audit.error().message));
   if (a.json)
-    std::printf("%s\n", audit_json(document->scene_name, *audit).dump(2).c_str());
+    std::printf("%s\n", json_text(audit_json(document->scene_name, *audit), 2).c_str());
   else
     print(*audit);
   for (const std::string& warning : audit->warnings)

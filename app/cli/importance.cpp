@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/json_text.h"
 #include "command.h"
 #include "image/image.h"
 #include "interrupt.h"
@@ -94,7 +95,7 @@ int run_importance(const ImportanceArguments& a) {
                          {"node", o.node},
                          {"importance", o.importance.value},
                          {"standard_error", o.importance.standard_error}});
-    std::printf("%s\n", json{{"scene", document->scene_name}, {"objects", objects}}.dump(2).c_str());
+    std::printf("%s\n", json_text(json{{"scene", document->scene_name}, {"objects", objects}}, 2).c_str());
   } else {
     std::printf("%-24s  mean radiance of the image if the object emitted 1 cd/m^2\n", "object");
     for (const auto& o : audit->objects)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "base/json_text.h"
 #include "bsdf_analysis/plausibility.h"
 #include "command.h"
 #include "json.h"
@@ -106,7 +107,7 @@ Command inspect_command() {
             const auto compiled = scene::compile(document->scene, document->camera, nullptr);
             const json description = description_of(*document, *compiled, transport::model_for(*compiled));
             if (a->json)
-              std::printf("%s\n", description.dump(2).c_str());
+              std::printf("%s\n", json_text(description, 2).c_str());
             else
               print(description);
             return 0;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/json_text.h"
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
@@ -179,7 +180,7 @@ int run_probe(const ProbeArguments& a) {
     json j = readings_json(readings, efficacies);
     if (readings.received_flux) j["received_flux"] = reading_json(*readings.received_flux, efficacies.irradiance);
     if (spectra) j["spectrum"] = spectrum_json(spectra->radiance);
-    std::printf("%s\n", j.dump(2).c_str());
+    std::printf("%s\n", json_text(j, 2).c_str());
   } else {
     print(readings, efficacies);
     if (readings.received_flux) print(kReceivedFlux, *readings.received_flux, efficacies.irradiance);

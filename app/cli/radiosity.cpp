@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
@@ -307,7 +308,7 @@ int run_radiosity(const RadiosityArguments& a) {
     if (!hierarchy) return static_cast<int>(Fault::interrupted);
   }
   if (a.json) {
-    std::printf("%s\n", report_json(document->scene_name, prepared, runs, hierarchy).dump(2).c_str());
+    std::printf("%s\n", json_text(report_json(document->scene_name, prepared, runs, hierarchy), 2).c_str());
   } else {
     print(prepared, runs);
     if (hierarchy) print(*hierarchy);

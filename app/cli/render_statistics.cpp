@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "base/json_text.h"
 #include "json.h"
 
 namespace etendue::cli {
@@ -79,7 +80,7 @@ std::string statistics_json(const RenderStatistics& statistics) {
                {"obstacle", s.incompatibility.empty() ? json() : json(s.incompatibility)},
                {"automatic", json::parse(statistics.choice)},
                {"certificate", json::parse(statistics.certificate)}};
-  return j.dump(2);
+  return json_text(j, 2);
 }
 
 }  // namespace etendue::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_text.h"
 #include "base/result.h"
 #include "json.h"
 
@@ -32,7 +33,7 @@ template <class Subject, class ToJson>
 int print_json_of(const std::vector<Subject>& subjects, ToJson&& to_json) {
   json list = json::array();
   for (const Subject& subject : subjects) list.push_back(to_json(subject));
-  std::printf("%s\n", (subjects.size() == 1 ? list[0] : list).dump(2).c_str());
+  std::printf("%s\n", json_text(subjects.size() == 1 ? list[0] : list, 2).c_str());
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "command.h"
 #include "image/display.h"
 #include "image/image.h"
@@ -72,7 +73,7 @@ int run_trace(const TraceArguments& a) {
   if (!a.svg.empty())
     if (const auto written = write_figure(a, *trace, *document); !written) return fail(written.error());
   if (a.json)
-    std::printf("%s\n", trace::to_json(*trace).dump(2).c_str());
+    std::printf("%s\n", json_text(trace::to_json(*trace), 2).c_str());
   else
     std::fputs(trace::to_text(*trace).c_str(), stdout);
   return 0;

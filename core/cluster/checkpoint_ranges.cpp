@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace etendue::cluster {
 namespace {
 
@@ -16,7 +18,7 @@ std::string with_ranges(const std::string& state, const SampleRanges& ranges) {
   json list = json::array();
   for (const SampleRange& r : ranges.ranges()) list.push_back({r.first, r.end});
   j[kRangesMember] = list;
-  return j.dump();
+  return json_text(j);
 }
 
 SampleRanges ranges_of(const std::string& state, uint32_t samples) {

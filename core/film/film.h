@@ -47,6 +47,10 @@ class Film {
     std::array<uint32_t, kHalfBuffers> count{};
   };
 
+  // Whether a sample is valid. Others count as zero.
+  bool accepts(const Rgb& radiance) const {
+    return is_radiance(radiance) || (allows_negative_samples_ && is_finite(radiance));
+  }
   // Adds one sample to a half-buffer of a pixel; returns false if it is invalid. Different pixels may be updated from
   // different threads.
   bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
@@ -54,7 +58,7 @@ class Film {
   }
   // The same, where `pixel` is the pixel at (x, y).
   bool add(Pixel& pixel, int x, int y, uint32_t half_buffer, const Rgb& radiance) {
-    if (!is_radiance(radiance) && !(allows_negative_samples_ && is_finite(radiance))) [[unlikely]] {
+    if (!accepts(radiance)) [[unlikely]] {
       invalid_.count(x, y, sample_index(half_buffer, pixel.count[half_buffer]), radiance);
       // Counts as a sample of value zero. Leaving it out would bias the mean towards the valid samples.
       ++pixel.count[half_buffer];

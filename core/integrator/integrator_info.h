@@ -91,7 +91,7 @@ struct IntegratorInfo {
 // A photon or a virtual light, for display.
 struct StoredPoint {
   Vec3 position;
-  Rgb power;  // watts
+  Rgb power;  // lm
 };
 
 // A diagnostic number.

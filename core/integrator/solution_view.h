@@ -12,8 +12,8 @@ namespace etendue::integrator {
 struct SolutionView {
   // A side of a patch. Sides that see no other one have no closure.
   struct Side {
-    Rgb radiosity{0};     // reflected, W/m^2
-    Rgb unshot{0};        // residual of the radiosity equation, W/m^2
+    Rgb radiosity{0};     // reflected, lm/m^2
+    Rgb unshot{0};        // residual of the radiosity equation, lm/m^2
     float closure = 0;    // sum of the form factors of the side, as they were estimated
     float asymmetry = 0;  // relative difference of both estimates of the exchanges of the side
     bool sees_others = false;

@@ -39,10 +39,14 @@ Error PhotometryReader::error(const std::string& what) const {
 }
 
 std::string_view PhotometryReader::next_line() {
+  // The end of the last line is read now, so that errors in that line had its number.
+  if (at_ > 0 && at_ < text_.size() && text_[at_] == '\n') {
+    ++at_;
+    ++line_;
+  }
   const size_t end = std::min(text_.find('\n', at_), text_.size());
   const std::string_view line = text_.substr(at_, end - at_);
-  at_ = std::min(end + 1, text_.size());
-  ++line_;
+  at_ = end;
   return line;
 }
 

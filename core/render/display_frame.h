@@ -44,7 +44,7 @@ class FrameMaker {
   std::shared_ptr<Frame> enlarged(
       const Preview& preview, int width, int height, const KeepGoing& keep_going = [] { return true; });
   // The means of a film. Pixels without samples show the preview, or are black if it is null. The means are re-weighted
-  // if there are firefly reweighting.
+  // if `reweighting` is not null.
   std::shared_ptr<Frame> full(
       const film::Film& film, const Preview* preview, const film::FireflyReweighting* reweighting,
       const KeepGoing& keep_going = [] { return true; });

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_text.h"
 #include "base/provided_files.h"
 #include "light/environments/uniform.h"
 #include "render/default_light.h"
@@ -195,7 +196,7 @@ std::string scene_text_of(const json& state) {
   json members = json::object();
   for (const char* name : {"scene", "camera", "environment", "version"})
     if (state.contains(name)) members[name] = state[name];
-  return members.dump();
+  return json_text(members);
 }
 
 // An opened document with the edits of a state.
@@ -275,7 +276,7 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
   const std::string& file = document.scene->environment.file;
   if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
     state["environment"] = reference_from(folder, file);
-  return state.dump();
+  return json_text(state);
 }
 
 Result<Document> document_from_state(const std::string& text, const std::string& source, uint32_t* samples) {

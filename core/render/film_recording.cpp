@@ -39,7 +39,7 @@ void record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block
   double squares = 0;
   const auto pixels = static_cast<size_t>(block.width * block.height);
   for (const Rgb& r : radiance.first(pixels))
-    if (const double y = luminance(r); std::isfinite(y)) squares += y * y;
+    if (film.accepts(r)) squares += sqr(double{luminance(r)});
   film::TileVariance& tile_variance = *film.tile_variance();
   tile_variance.add(tile, half, squares);
   if (!film::TileVariance::is_recorded(count)) return;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "material/texture_slots.h"
 #include "render/document_parameters.h"
 #include "render/setting_order.h"
@@ -133,7 +134,7 @@ Result<void> write_material_file(const std::string& file, const scene::Scene& sc
     if (!name->empty()) textures[slot.name] = *name;
   }
   const json j{{"program", "etendue"}, {"name", m.name}, {"settings", settings}, {"textures", textures}};
-  const std::string text = j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  const std::string text = json_text(j, 2) + "\n";
   return write_file(file, text.data(), text.size());
 }
 

@@ -10,6 +10,7 @@
 #include "base/base64.h"
 #include "base/error_free.h"
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "film/film_image.h"
 #include "image/image.h"
 #include "render/image_output.h"
@@ -157,7 +158,7 @@ json info_json(const PartInfo& info) {
 }
 
 uint64_t content_hash(const json& info, const image::LayeredImage& image) {
-  uint64_t h = hash_of(info.dump(), 0);
+  uint64_t h = hash_of(json_text(info), 0);
   h = hash_of(image.attributes.at(kStateAttribute), h);
   h = hash_of(image.attributes.at(kTailsAttribute), h);
   for (const image::Layer* layer : sample_layers(image)) h = hash_of(*layer, h);
@@ -277,7 +278,7 @@ Result<void> write_part(const std::filesystem::path& path, PartInfo info, const 
   info.invalid_samples = film.invalid_samples();
   json j = info_json(info);
   j["hash"] = content_hash(j, image);
-  image.attributes[kPartAttribute] = j.dump();
+  image.attributes[kPartAttribute] = json_text(j);
   return image::write_exr_quickly(path, image);
 }
 

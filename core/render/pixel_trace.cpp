@@ -22,8 +22,9 @@ std::string per_pixel_integrators() {
 std::string untraceable_reason(const Document& document) {
   if (PixelSamples::supports(document)) return {};
   const auto& info = *integrator::find_integrator(document.method.integrator);
-  return info.accumulation == Accumulation::per_image ? "its samples use photons or virtual lights of the whole image"
-                                                      : "its paths contribute to any pixel";
+  return info.accumulation == Accumulation::per_image
+             ? "its samples depend on other pixels through photons, virtual lights or learned densities"
+             : "its paths contribute to any pixel";
 }
 
 std::string why_untraceable(const Document& document) {

@@ -22,7 +22,7 @@ constexpr double k95 = 1.96, k80 = 1.28;
 
 void TimeEstimator::add(uint32_t samples, double seconds, const film::MeasuredError& error) {
   if (!error.known || !(error.interval.low > 0)) return;
-  // The interval states how uncertain the error of this image is, `scatter` how much the errors of other images of the
+  // The interval states how uncertain the error of this image is, `variation` how much the errors of other images of the
   // same kind differ. With few bright pixels the first is small and the second large.
   const double log_error =
       std::max(std::log(error.interval.high / error.interval.low) / (2 * k95), error.variation);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "advisor/report_numbers.h"
+#include "base/json_text.h"
 
 namespace etendue::advisor {
 namespace {
@@ -104,13 +105,13 @@ void print_omitted(std::string& text, std::span<const Advice> omitted) {
 std::string ranking_json(const Ranking& ranking, const std::string& scene) {
   json methods = json::array();
   for (const auto& advice : ranking.methods) methods.push_back(method_json(advice));
-  return json{{"scene", scene},
-              {"target", ranking.target},
-              {"measure", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(ranking.measure)].name},
-              {"table", table_json(ranking.table)},
-              {"methods", methods},
-              {"beyond_all_methods", ranking.beyond_methods}}
-      .dump(2);
+  return json_text(json{{"scene", scene},
+                        {"target", ranking.target},
+                        {"measure", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(ranking.measure)].name},
+                        {"table", table_json(ranking.table)},
+                        {"methods", methods},
+                        {"beyond_all_methods", ranking.beyond_methods}},
+                   2);
 }
 
 std::string ranking_text(const Ranking& ranking, size_t count) {

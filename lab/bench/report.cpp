@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "metrics/convergence_chart.h"
 #include "metrics/flip.h"
 #include "metrics/heat_map.h"
@@ -183,7 +184,7 @@ std::string summary_json(const Report& r) {
                {"interrupted", r.outcome.interrupted},
                {"reference", reference},
                {"methods", std::move(methods)}};
-  return j.dump(2) + "\n";
+  return json_text(j, 2) + "\n";
 }
 
 Result<void> create_folder(const fs::path& folder) {

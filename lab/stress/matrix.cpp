@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace etendue::stress {
 
 CaseResult run(const Case& stress_case, const TestOptions& options) {
@@ -28,7 +30,7 @@ std::string matrix_json(const std::vector<CaseResult>& rows) {
                       {"measured", measured},
                       {"ok", r.ok}});
     }
-  return list.dump(2);
+  return json_text(list, 2);
 }
 
 }  // namespace etendue::stress

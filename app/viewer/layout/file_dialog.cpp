@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/number_text.h"
 #include "viewer/files/file_names.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
@@ -28,13 +29,6 @@ int64_t change_time(const fs::directory_entry& entry) {
   if (code) return 0;
   const auto system = std::chrono::file_clock::to_sys(time);
   return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
-}
-
-std::string size_text(uintmax_t bytes) {
-  const auto size = static_cast<double>(bytes);
-  if (bytes < 1000) return formatted("%.0f B", size);
-  if (bytes < 1000000) return formatted("%.0f kB", size / 1e3);
-  return formatted("%.1f MB", size / 1e6);
 }
 
 }  // namespace
@@ -188,7 +182,7 @@ bool FileDialog::draw_entry(AppState& state, const Entry& entry) {
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", date_text(entry.seconds).c_str());
   ImGui::TableNextColumn();
-  if (!entry.is_folder) ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
+  if (!entry.is_folder) ImGui::TextDisabled("%s", format_bytes(entry.bytes).c_str());
   return accepted;
 }
 

@@ -11,6 +11,7 @@
 
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/dialog.h"
 
 namespace etendue::viewer {
 namespace {
@@ -195,7 +196,7 @@ void draw_help_title(AppState& state) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(state.ui.theme.accent, "Keyboard and mouse shortcuts");
   ImGui::SameLine(0, 2 * ImGui::GetFontSize());
-  if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) interface.help_open = false;
+  if (ImGui::Button("Close") || escape_is_pressed()) interface.help_open = false;
   state.ui.items.add("help.close");
   ImGui::SameLine();
   if (ImGui::Button("All shortcuts...")) {

@@ -104,12 +104,12 @@ void draw_menu(AppState& state, const char* menu) {
 void draw_title(AppState& state) {
   std::string title = title_of(state.document(), state.files.session_file);
   if (state.editor->has_unsaved_scene_edits()) title += " (edited)";
-  const char* hint = "Ctrl+K  Find a command";
+  const std::string hint = label(state.actions.find("app.palette")->chords()) + "  Find a command";
   const ImGuiStyle& style = ImGui::GetStyle();
   const float window_width = ImGui::GetWindowWidth();
   const float title_width = ImGui::CalcTextSize(title.c_str()).x;
   const float title_x = 0.5f * (window_width - title_width);
-  const float hint_width = ImGui::CalcTextSize(hint).x + 2 * style.ItemSpacing.x;
+  const float hint_width = ImGui::CalcTextSize(hint.c_str()).x + 2 * style.ItemSpacing.x;
   const float hint_x = window_width - hint_width - style.WindowPadding.x;
   if (title_x > ImGui::GetCursorPosX() && title_x + title_width < hint_x) {
     ImGui::SetCursorPosX(title_x);
@@ -118,7 +118,7 @@ void draw_title(AppState& state) {
   if (hint_x < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(hint_x);
   ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
-  if (ImGui::Selectable(hint, false, 0, {hint_width, 0})) state.interface.palette_open = true;
+  if (ImGui::Selectable(hint.c_str(), false, 0, {hint_width, 0})) state.interface.palette_open = true;
   ImGui::PopStyleColor();
   state.ui.items.add("menu.palette");
 }

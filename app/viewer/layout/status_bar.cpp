@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.h"
 #include "render/session.h"
 #include "render/shared_sampling.h"
 #include "viewer/files/file_edits.h"
@@ -115,7 +116,7 @@ class StatusLine {
     if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
     ImGui::TextColored(state_.ui.theme.warning, "%s", text.c_str());
     if (ImGui::IsItemHovered())
-      tooltip(state_.ui, "Samples that were not finite or negative; they are left out. Click for their pixels");
+      tooltip(state_.ui, "Infinite, NaN or negative samples; they count as black. Click for their pixels");
     open_reliability_if_clicked();
   }
 
@@ -174,7 +175,7 @@ std::string speed_text(const render::Status& status) {
 std::string details_text(const AppState& state, const render::Status& status) {
   return formatted("%.2f million samples and %.1f million rays per second\n", status.paths_per_second / 1e6,
                    status.rays_per_second / 1e6) +
-         "Memory of scene, film and integrator: " + memory_text(status.memory) +
+         "Memory of scene, film and integrator: " + format_bytes(status.memory) +
          "\nFeatures in use: " + state.session->model().summary();
 }
 
@@ -206,7 +207,8 @@ void draw_parts(AppState& state, StatusLine& line) {
   if (state.options.sharing) add_ranks(line, state.options.sharing->status());
   if (!state.settings.show_details) return;
   line.add(speed_text(status), "Million samples and million rays per second");
-  line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
+  line.add(format_bytes(status.memory),
+           "Memory of the scene, its acceleration structures, the film and the integrator");
   line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),
            "Share of the time that drawing the interface takes");
   line.add(state.session->model().summary(), "Features in use: only those that the scene needs");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/number_text.h"
 #include "render/document.h"
 #include "render/state_difference.h"
 #include "viewer/actions/action.h"
@@ -280,7 +281,7 @@ class SnapshotsPanel final : public Panel {
 
   static std::string samples_text(const SnapshotInfo& info) {
     if (info.checkpoint_bytes == 0) return "without samples, so it starts again";
-    return "continues with its samples (" + memory_text(info.checkpoint_bytes) + ")";
+    return "continues with its samples (" + format_bytes(info.checkpoint_bytes) + ")";
   }
 
   bool button(AppState& state, const char* label, const char* item, bool is_first = false) {

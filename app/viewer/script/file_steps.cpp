@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "image/image.h"
 #include "render/display_frame.h"
 #include "viewer/files/image_export.h"
@@ -122,7 +123,7 @@ class FollowStep final : public Step {
       if (action.is_enabled(state)) report["enabled_actions"].push_back(action.name);
     report["count"] = ++count_;
     report["settled"] = frames >= event_frame_ + kFramesPerEvent;
-    const std::string text = report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string text = json_text(report);
     const auto written = write_file(file_, text.data(), text.size());
     return written ? StepStatus{} : impossible(written.error().message);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "render/session.h"
 #include "render/shared_sampling.h"
 #include "viewer/state/app_state.h"
@@ -208,7 +209,7 @@ std::string state_report(AppState& state) {
                          {"window", placement_json(state.viewport.pixel_readout->window().placement())}};
   j["region"] = region_report(status);
   for (const auto& panel : state.panels.all()) panel->report(state, j);
-  return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return json_text(j, 2) + "\n";
 }
 
 }  // namespace etendue::viewer

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "base/user_folders.h"
 
 namespace etendue::viewer {
@@ -121,7 +122,7 @@ bool save_settings(const fs::path& file, const Settings& settings) {
   if (file.empty()) return false;
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
-  const std::string text = to_json(settings).dump(2, ' ', false, json::error_handler_t::replace);
+  const std::string text = json_text(to_json(settings), 2);
   return static_cast<bool>(write_file(file, text.data(), text.size()));
 }
 

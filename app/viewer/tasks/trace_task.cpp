@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "film/film_image.h"
 #include "image/display.h"
 #include "image/image.h"
@@ -34,7 +35,7 @@ Result<std::string> write(const std::string& file, const render::PixelTrace& tra
   if (extension == ".svg")
     text = trace::path_figure(trace, document.camera, {document.width, document.height}, picture_of(film, document));
   else if (extension == ".json")
-    text = trace::to_json(trace).dump(2) + "\n";
+    text = json_text(trace::to_json(trace), 2) + "\n";
   else
     return usage_error(file + ": '" + extension + "' is not a format of traces; use .svg or .json");
   if (auto written = write_file(file, text.data(), text.size()); !written) return written.error();

@@ -36,13 +36,13 @@ std::string escaped(const std::string& text) {
 // What 0 stands for according to the description of a parameter; empty if it is a number like others.
 std::string meaning_of_zero(const std::string& doc) {
   const auto contains = [&](const char* text) { return doc.find(text) != std::string::npos; };
-  if (contains("no limit") || contains("unlimited") || contains("0 goes on")) return " (no limit)";
+  if (contains("no limit") || contains("unlimited")) return " (no limit)";
   return contains("0: one per hardware thread") ? " (automatic)" : "";
 }
 
 // A printf format with enough digits for the range of the parameter.
 std::string format_of(const ParameterInfo& info, double value) {
-  if (info.logarithmic && value >= kUnlimited) return "unlimited";
+  if (info.logarithmic && info.unit == "m" && value >= kUnlimited) return "unlimited";
   std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
   if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3)
     format = "%.3f";

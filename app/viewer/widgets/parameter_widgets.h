@@ -36,13 +36,12 @@ void parameter_widgets(AppState& state, const std::tuple<P...>& parameters) {
     if (const auto value = parameter_widget(state, info)) assign_by_name(parameters, info.name, *value);
 }
 
-// A choice or a number that has no label, of this width in pixels. Returns the new value if it was changed. The number is a drag
-// field, because it would not be legible on a slider.
+// A choice, a number or a toggle in little space, the first two without a label and of this width in pixels. Returns the
+// new value if it was changed. The number is a drag field, because it would not be legible on a slider.
 std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, float width);
+std::optional<Value> compact_number(AppState& state, const ParameterInfo& info, float width);
+std::optional<Value> compact_toggle(AppState& state, const ParameterInfo& info);
 // The width in pixels in which a choice shows each of its options completely.
 float width_of_choice(const ParameterInfo& info);
-// A checkbox with its label beside it.
-std::optional<Value> compact_toggle(AppState& state, const ParameterInfo& info);
-std::optional<Value> compact_number(AppState& state, const ParameterInfo& info, float width);
 
 }  // namespace etendue::viewer

@@ -41,13 +41,6 @@ std::string date_text(int64_t seconds) {
   return text;
 }
 
-std::string memory_text(size_t bytes) {
-  const double mebibytes = static_cast<double>(bytes) / (1 << 20);
-  if (mebibytes < 1) return formatted("%.0f kB", mebibytes * 1024);
-  if (mebibytes < 1024) return formatted("%.0f MB", mebibytes);
-  return formatted("%.1f GB", mebibytes / 1024);
-}
-
 std::string label_of_name(std::string name) {
   if (name.empty()) return name;
   name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));

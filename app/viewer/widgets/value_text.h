@@ -18,8 +18,6 @@ std::string clock_text(double seconds);
 std::string remaining_time(double seconds, double low, double high);
 // A date in local time: "2024-01-31 23:59"; empty for 0.
 std::string date_text(int64_t seconds_since_1970);
-// A number of bytes: "312 kB", "1.4 GB".
-std::string memory_text(size_t bytes);
 
 // A name as a label: "shading-normal" as "Shading normal", "medium-in-scattering" as "Medium in-scattering".
 std::string label_of_name(std::string name);

@@ -34,13 +34,17 @@ class EnergyRecorder {
     for (int i = 0; i < paths_.miss_count(); ++i) {
       const int path = paths_.path_of_miss(i);
       add_loss(path);
+      if (paths_.length() == 1) apply_range(path, paths_.missed_path(i), kInfinity);
       add(sums_.escaped, flux_of(path));
     }
   }
   void arrive() {
     for (int i = 0; i < paths_.hit_count(); ++i) {
       add_loss(paths_.path_at(i));
-      if (paths_.length() == 1) apply_range(i);
+      if (paths_.length() == 1) {
+        auto& state = paths_.state_at(i);
+        apply_range(paths_.path_at(i), state, glm::distance(state.from, paths_.point(i).position));
+      }
       if (paths_.in_volume(i)) continue;
       ObjectFlux& object = object_at(i);
       const Rgb flux = flux_of(paths_.path_at(i));
@@ -72,12 +76,10 @@ class EnergyRecorder {
   ObjectFlux& object_at(int hit) { return sums_.objects[paths_.point(hit).instance->node]; }
   void add_loss(int path) { add(sums_.media.absorbed, flux_[static_cast<size_t>(path)] - flux_of(path)); }
   // The window of the range belongs to the light and not to a medium.
-  void apply_range(int hit) {
-    auto& state = paths_.state_at(hit);
-    const float window = paths_.scene().lights().range_window(subpaths_.light(paths_.path_at(hit)),
-                                                              glm::distance(state.from, paths_.point(hit).position));
+  void apply_range(int path, transport::PathState<Rgb>& state, float distance) {
+    const float window = paths_.scene().lights().range_window(subpaths_.light(path), distance);
     if (window == 1) return;
-    add(sums_.beyond_range, flux_of(paths_.path_at(hit)) * (1 - window));
+    add(sums_.beyond_range, flux_of(path) * (1 - window));
     state.throughput *= window;
   }
 

@@ -141,7 +141,9 @@ class DirectLightControl {
       if (light.pdf == 0 || !bsdf.has_non_delta_lobe()) continue;
       const auto scattered = bsdf.evaluate(paths_.wo(i), light.wi);
       const Rgb radiance = paths_.scene().radiance_of(light);
-      if (is_black(scattered.f_cos) || is_black(radiance)) continue;
+      const bool is_dark = is_black(scattered.f_cos) || is_black(radiance);
+      // BSDF samples find black parts of the environment as well, so the control has to contain both.
+      if (is_dark && light.kind != LightKind::environment) continue;
       const float bsdf_pdf = light.delta ? 0 : scattered.pdf;
       auto& path = paths_.state_at(i);
       Rgb visible = path.throughput * scattered.f_cos * radiance * light_factor(term_, light.pdf, bsdf_pdf);
@@ -152,6 +154,7 @@ class DirectLightControl {
         else if (controlled_ == ControlledLights::all)
           visible += added;
       }
+      if (is_dark) continue;
       if (light.distance > 0)
         paths_.connect(i, light.wi, light.distance) += visible;
       else

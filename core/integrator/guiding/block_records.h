@@ -31,7 +31,6 @@ class BlockRecords {
     for (const Record& r : records) records_[ends_[group_of(r)]++] = r;
   }
   void clear() { assign({}); }
-  bool empty() const { return records_.empty(); }
 
   void add_to(RadianceGuide& guide, int group) const {
     const auto g = static_cast<size_t>(group);

@@ -27,7 +27,7 @@ namespace etendue::guiding {
 // What one scattering event adds to a region.
 struct Record {
   uint32_t region;
-  Vec2 direction;   // on the square of DirectionalTree
+  Vec2 direction;   // on the unit square, by the equal-area map
   float radiance;   // of the direction over the density of its sample
   float slope;      // v (p_g - p_b) / p
   float curvature;  // v ((p_g - p_b) / p)^2

@@ -107,7 +107,6 @@ class LightPath {
 
   int edges() const { return static_cast<int>(vertices_.size()); }
   void resize(int edges) { vertices_.resize(static_cast<size_t>(edges)); }
-  void clear() { vertices_.clear(); }
   Vertex& operator[](int i) { return vertices_[static_cast<size_t>(i)]; }
   const Vertex& operator[](int i) const { return vertices_[static_cast<size_t>(i)]; }
 

@@ -71,8 +71,6 @@ inline Vec2 stratified_point(uint32_t chain, uint32_t chains, uint32_t round, ui
 template <class M>
 class MutationRunner {
  public:
-  using Counts = std::array<Acceptance, kMutations>;
-
   MutationRunner(const RenderContext& context, const MutationPlan& plan)
       : plan_(&plan), space_(context), filter_(*context.filter, context.width, context.height) {}
 

@@ -50,7 +50,6 @@ class PathSpace {
            raster.y < extent_.y - filter_radius_;
   }
 
-  const scene::CompiledScene& scene() const { return *scene_; }
   const CameraRays& camera() const { return *context_->camera; }
   uint64_t take_rays() { return std::exchange(rays_, 0); }
 

@@ -82,7 +82,7 @@ class Photon {
   uint32_t packed_rest() const { return packed_; }
 
   const Vec3& position() const { return position_; }
-  const Rgb& power() const { return power_; }  // watts; in volumes: watts times metres (photon_paths.h)
+  const Rgb& power() const { return power_; }  // lm; in volumes: lm m (photon_paths.h)
   void scale_power(float factor) { power_ *= factor; }
   Vec3 normal() const { return unpack_direction(normal_, kNormalBits); }
   Vec3 direction() const { return unpack_direction(packed_ >> kDirectionShift, kDirectionBits); }

@@ -9,7 +9,7 @@
 // collisions with the density sigma_t exp(-tau), and the throughput at a collision contains the albedo. The powers of
 // the photons in a region therefore sum to the power that is scattered in it, the integral of sigma_s times the
 // fluence. Stored powers are divided by the scattering coefficient at their collisions, so that the sum is the integral
-// of the fluence, in watts times metres, and photons of a dense medium are not counted in a thin one beside it.
+// of the fluence, in lm m, and photons of a dense medium are not counted in a thin one beside it.
 //
 // The caustics map contains photons that have been scattered by near-specular lobes only, at least once: D_G S_G+ L,
 // from the camera. No light samples find media that emit, so photons that start in media are stored one edge earlier

@@ -1,7 +1,7 @@
 // Subpaths that start on lights.                                             [Lang, sec. 9.2, eq. 9.33-9.35, corrected]
 //
 // The throughput of a subpath is its flux relative to the flux at its start, so that Russian roulette depends on
-// scattering alone. `flux` is the flux at the start, in watts.
+// scattering alone. `flux` is the flux at the start, in lumens.
 #pragma once
 #include "integrator/shared/camera_paths.h"
 #include "integrator/shared/emission_starts.h"

@@ -166,7 +166,7 @@ constexpr float kCausticRadius = 0.05f;
 // The virtual lights of one sample, or of a half-buffer.
 struct LightSet {
   uint32_t sample = 0;                             // of the random numbers
-  std::vector<std::vector<VirtualLight>> by_task;  // by task
+  std::vector<std::vector<VirtualLight>> by_task;
   std::vector<VirtualLight> all;
   bool is_ready = false;
   std::unique_ptr<PhotonEmission> caustics;  // null: no map

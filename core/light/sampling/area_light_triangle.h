@@ -35,7 +35,7 @@ struct AreaLightTriangle {
     return cosine_exponent == 0 ? cosine * kInvPi
                                 : (cosine_exponent + 2) * 0.5f * kInvPi * std::pow(cosine, cosine_exponent + 1);
   }
-  // Power of all sides, W: 2 pi A s L0 / (k + 2).
+  // Flux of all sides, lm: 2 pi A s L0 / (k + 2).
   Rgb flux() const { return radiance * (2 * kPi / (cosine_exponent + 2) * area * (double_sided ? 2.0f : 1.0f)); }
 
   void set_triangle(const Facet& facet) {

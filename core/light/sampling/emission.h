@@ -30,7 +30,7 @@ struct Emission {
   bool textured = false;  // `radiance` is the mean of the triangle's texture; the scene has the value at the point
   Rgb radiance{0};        // cd/m^2; of a point light intensity, cd; of a directional light irradiance, lx
   float time = 0;         // 0 at the opening of the shutter, 1 at its closing
-  float weight = 0;       // the cosine over both densities: radiance times weight is the flux of the ray, W
+  float weight = 0;       // the cosine over both densities: radiance times weight is the flux of the ray, lm
   EmissionDensity density;
 };
 

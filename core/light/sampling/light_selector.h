@@ -17,7 +17,7 @@ namespace etendue {
 
 // What the selector needs of one light.
 struct SelectableLight {
-  float power = 0;      // luminance of the power into the scene, W
+  float power = 0;      // luminance of the flux into the scene, lm
   float area = 0;       // m^2; 0 of a light without extent
   uint32_t source = 0;  // neighbours with the same number are one source
   bool is_infinite = false;

@@ -43,7 +43,7 @@ class LightTable {
   const std::vector<AreaLightTriangle>& triangles() const { return primitives_.triangles(); }
   const std::vector<PlacedLight>& placed() const { return *placed_; }
   size_t placed_count() const;
-  // The luminance of the power of all lights into the scene, W.
+  // The luminance of the flux of all lights into the scene, lm.
   float power() const { return power_; }
   const EnvironmentMap& environment() const { return *environment_; }
   // For another table of the same environment: its preparation takes long for large maps.

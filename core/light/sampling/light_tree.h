@@ -29,7 +29,6 @@ class LightTree {
   explicit LightTree(std::span<const LightBounds> lights);
 
   bool empty() const { return nodes_.empty(); }
-  size_t memory() const { return nodes_.size() * sizeof(Node) + (parents_.size() + slots_.size()) * sizeof(Slot); }
 
   // A light with its probability; the probability is 0 if no light can reach the receiver.
   AliasTable::Choice choose(const LightReceiver& from, float u) const;

@@ -69,6 +69,7 @@ struct PhotometricLight {
     std::shared_ptr<const PhotometryProfile> profile = photometry_profile(kPhotometryProfiles.front().name);
     bool tilts = true;
 
+    // Of the luminaire as it was measured, without the tilt factor of its place.
     Rgb flux() const { return radiant_intensity() * profile->flux(); }
     float power(float) const { return luminance(flux()); }
 

@@ -58,7 +58,7 @@ struct SpotLight {
     // The share of the intensity on the axis; `cosine` is that of the angle to the axis.
     float falloff(float cosine) const {
       if (profile == SpotProfile::cosine) return cosine > cos_outer ? std::pow(std::max(cosine, 0.0f), exponent) : 0;
-      const float scale = 1 / std::max(0.001f, cos_inner - cos_outer);
+      const float scale = 1 / std::max(1e-7f, cos_inner - cos_outer);
       const float t = std::clamp((cosine - cos_outer) * scale, 0.0f, 1.0f);
       switch (profile) {
         case SpotProfile::smoothstep:

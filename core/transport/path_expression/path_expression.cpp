@@ -108,7 +108,7 @@ class Parser {
     const char c = peek();
     if (c == '\0' && at_ == 0) return fail(0, "it is empty; E.*L is every path");
     if (c == '\0') return fail(at_, "something is missing at the end; give a letter or a bracket");
-    if (c == '|' || previous() == '|') return fail(at_, "one side of '|' is empty; [A|B] allows nothing too");
+    if (c == '|' || previous() == '|') return fail(at_, "one side of '|' is empty; [A|B] also stands for nothing");
     if (open_ == 0) return fail(at_, closing_without_opening());
     return fail(at_, "there is nothing between the brackets; give a letter");
   }

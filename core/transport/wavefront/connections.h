@@ -42,7 +42,8 @@ class Connections {
   template <class Deliver>
   uint64_t settle(const scene::CompiledScene& scene, Deliver&& deliver) {
     const TracedConnections media(scene);
-    auto rays = static_cast<uint64_t>(size_);
+    // Passages through media count their rays themselves.
+    uint64_t rays = media.use_packets() ? static_cast<uint64_t>(size_) : 0;
     if (media.use_packets())
       for (int first = 0; first < size_; first += RayPacket::kSize)
         scene.occluded(packets_[static_cast<size_t>(first / RayPacket::kSize)],

@@ -80,11 +80,12 @@ typename M::Color share_of_rough(PathWavefront<M>& paths, int hit) requires(M::k
   return paths.shares().connection_share(path, Event::diffuse);
 }
 
-// delta_weight(hit, sample) is the MIS weight of a sample of a delta light. Paths continue from the collisions in media
-// for which continues(hit) holds, so that their phase functions count as near-specular lobes.
 struct NoHit {
   constexpr bool operator()(int) const { return false; }
 };
+
+// delta_weight(hit, sample) is the MIS weight of a sample of a delta light. Paths continue from the collisions in media
+// for which continues(hit) holds, so that their phase functions count as near-specular lobes.
 template <class M, class Selected = EveryHit, class DeltaWeight = OnlyTechnique, class Continues = NoHit>
 void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, LitLobes lobes,
                               const Selected& selected = {}, const DeltaWeight& delta_weight = {},

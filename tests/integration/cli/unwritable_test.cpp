@@ -122,6 +122,19 @@ TEST_F(Cli, APipeIsNoInput) {
 }
 
 // Nothing is rendered first: the limits would take hours.
+// File names on Linux are bytes, which need not be UTF-8.
+TEST_F(Cli, NamesThatAreNotUtf8) {
+  ASSERT_EQ(run("save cornell -o $(printf 'caf\\351.glb')").code, 0);
+  for (const char* job :
+       {"render $(printf 'caf\\351.glb') --size 16x16 --spp 1 -o out.exr --json s.json",
+        "inspect $(printf 'caf\\351.glb') --json", "probe $(printf 'caf\\351.glb') --at 300 300 --json"}) {
+    const Outcome r = run(job);
+    EXPECT_EQ(r.code, 0) << job << r.err;
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "out.exr"));
+  EXPECT_EQ(run("compare out.exr out.exr").code, 0);
+}
+
 TEST_F(Cli, ReadOnlyFoldersFailBeforeRendering) {
   const std::string hours = "render cornell --size 512x512 --spp 1000000 ";
   for (const char* extension : {"exr", "png", "hdr"})

@@ -4,6 +4,7 @@
 // tests (DirectLightControl).
 #include <gtest/gtest.h>
 
+#include "image/image.h"
 #include "support/independent_estimates.h"
 #include "support/integrator_scenes.h"
 #include "support/resume.h"
@@ -50,6 +51,27 @@ double variance_of_samples(Document d) {
 // t-tests with a false-alarm rate of 1 %.
 TEST(ControlVariates, AgreeWithPathTracing) {
   const Document d = without_glass(test::balls_under_sun());
+  for (const char* control : {"optimal", "ambient"})
+    test::expect_same_mean(direct(with_integrator(d, "path")), 256, direct(with_control(d, control)), 256, control, 2);
+}
+
+// The luminance of a map decides what is sampled, but a tint can make a sampled part of it black.
+TEST(ControlVariates, BlackPartsOfTheEnvironmentAreControlled) {
+  Document d = without_glass(test::balls_under_sun());
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  auto map = std::make_shared<image::Image>();
+  map->width = 8;
+  map->height = 4;
+  map->channels = 3;
+  map->type = image::PixelType::float32;
+  for (int i = 0; i < map->width * map->height; ++i) {
+    const bool is_red = i % map->width < 4;
+    for (const float c : {is_red ? 1.0f : 0.0f, 0.0f, is_red ? 0.0f : 3.0f}) map->floats.push_back(c);
+  }
+  scene->environment = {};
+  scene->environment.map = map;
+  scene->environment.tint = {1, 0, 0};
+  d.scene = std::move(scene);
   for (const char* control : {"optimal", "ambient"})
     test::expect_same_mean(direct(with_integrator(d, "path")), 256, direct(with_control(d, control)), 256, control, 2);
 }

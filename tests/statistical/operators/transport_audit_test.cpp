@@ -85,6 +85,20 @@ TEST(EnergyAudit, OpenBox) {
   EXPECT_TRUE(e.warnings.empty());
 }
 
+// What a light with a range emits past all surfaces is removed by its range and does not leave the scene.
+TEST(EnergyAudit, NothingEscapesBeyondTheRange) {
+  scene::Scene scene;
+  test::add_point_light(scene, {0, 0, 0}, 3);
+  scene.lights.back().set("range", 2.0);
+  add(scene, scene::rectangle({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), test::diffuse(Rgb(0)));
+  const EnergyAudit e = audit(seen(std::move(scene)));
+  const double emitted = 4 * kPi * 3;
+  expect_value(e.emitted, emitted, "emitted");
+  EXPECT_EQ(e.escaped.value, 0);
+  EXPECT_GT(e.beyond_range.value, 0.8 * emitted) << "the square covers a sixth of the directions";
+  EXPECT_NEAR(e.missing.value, 0, kStandardErrors * e.missing.standard_error + 1e-4 * emitted);
+}
+
 // A point light in the centre of a ball of fog that absorbs, in a black sphere.
 TEST(EnergyAudit, AbsorbingMedium) {
   scene::Scene scene;

@@ -7,6 +7,7 @@
 
 #include "light/area_light.h"
 #include "light/light.h"
+#include "light/types/spot_light.h"
 
 namespace etendue::light_types_test {
 namespace {
@@ -106,7 +107,7 @@ TEST(LightFlux, PointLight) { EXPECT_NEAR(flux_of(coloured(make_light("point")))
 // The integral of the profile over the cosine.
 TEST(LightFlux, SpotLight) {
   for (const char* profile : {"squared", "smoothstep", "quartic", "cosine"})
-    for (const double outer : {0.3, 1.0, 1.5}) {
+    for (const double outer : {0.02, 0.3, 1.0, 1.5}) {
       const double inner = 0.4 * outer;
       const double exponent = 5;
       const Light spot = coloured(make_light(
@@ -120,9 +121,31 @@ TEST(LightFlux, SpotLight) {
       };
       constexpr int kSteps = 200'000;
       double integral = 0;
-      for (int i = 0; i < kSteps; ++i) integral += falloff(-1 + 2 * (i + 0.5) / kSteps) * 2 / kSteps;
+      const double begin = std::cos(outer), step = (1 - begin) / kSteps;
+      for (int i = 0; i < kSteps; ++i) integral += falloff(begin + (i + 0.5) * step) * step;
       const double expected = 0.5 * 3 * 2 * kPiD * integral;
       EXPECT_NEAR(flux_of(spot), expected, 2e-3 * expected) << profile << ' ' << outer;
+    }
+}
+
+// The emitted intensity has this flux: the mean over directions that are uniform in the cone, and the value on the axis.
+TEST(LightFlux, NarrowSpotLightsEmitIt) {
+  for (const SpotProfile profile : {SpotProfile::squared, SpotProfile::smoothstep, SpotProfile::quartic})
+    for (const double outer : {0.01, 0.02, 0.05}) {
+      SpotLight spot;
+      spot.profile.value = profile;
+      spot.inner_cone.value = 0;
+      spot.outer_cone.value = static_cast<float>(outer);
+      const auto emitter = spot.emitter(Rgb(1));
+      constexpr int kSteps = 10'000;
+      double integral = 0;
+      for (int i = 0; i < kSteps; ++i) {
+        const auto cosine = static_cast<float>(1 - (1 - std::cos(outer)) * (i + 0.5) / kSteps);
+        integral += double{emitter.falloff(cosine)} * 2 * kPiD * (1 - std::cos(outer)) / kSteps;
+      }
+      // Cosines of small angles have few digits in single precision.
+      EXPECT_NEAR(double{emitter.solid_angle()}, integral, 0.02 * integral) << outer;
+      EXPECT_NEAR(emitter.falloff(1), 1, 1e-6) << outer;
     }
 }
 

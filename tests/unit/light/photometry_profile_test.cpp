@@ -212,7 +212,7 @@ TEST(PhotometryProfile, TiltFactors) {
 
 TEST(PhotometryProfile, ErrorsInTiltData) {
   EXPECT_EQ(error_of("TILT=missing.tlt\n1 1000"),
-            "light.ies: line 2: the file 'missing.tlt' with the TILT data cannot be read; put it beside this file, or "
+            "light.ies: line 1: the file 'missing.tlt' with the TILT data cannot be read; put it beside this file, or "
             "write TILT=NONE");
   EXPECT_NE(error_of("TILT=INCLUDE\n4\n").find("from 1 to 3"), std::string::npos);
   EXPECT_NE(error_of("TILT=INCLUDE\n1\n2\n90 0\n1 1\n").find("larger than the one before it"), std::string::npos);

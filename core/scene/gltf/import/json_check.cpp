@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/json_nesting.h"
+#include "base/json_text.h"
 #include "scene/gltf/import/input_file.h"
 #include "scene/gltf/transport_extension.h"
 
@@ -77,7 +78,7 @@ const std::unordered_map<std::string_view, Rule>& rules() {
 
 // The value as JSON, shortened for a message.
 std::string shown(const json& value) {
-  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = json_text(value);
   return text.size() > 40 ? text.substr(0, 40) + "..." : text;
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/file.h"
+#include "base/json_text.h"
 #include "scene/gltf/import/container.h"
 #include "scene/gltf/import/decompress.h"
 #include "scene/gltf/import/json_check.h"
@@ -92,7 +93,7 @@ std::string one_line(const std::string& text) {
 void parse_model(json&& root, InputFile& input) {
   root.erase("buffers");
   root.erase("images");
-  const std::string text = root.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = json_text(root);
   root = nullptr;
   tinygltf::TinyGLTF parser;
   std::string error, warning;
