@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "color_space.h"
+#include "header_check.h"
 #include "message.h"
 
 namespace etendue::openimageio {
@@ -123,6 +124,7 @@ Result<Image> read_opened(OIIO::ImageInput& input, const PluginRead& request) {
 }  // namespace
 
 Result<Image> read_image(const PluginRead& request) try {
+  if (auto header = check_header(request.path, request.name); !header) return header.error();
   OIIO::ImageSpec configuration;
   configuration["oiio:UnassociatedAlpha"] = 1;
   auto input = OIIO::ImageInput::open(request.path, &configuration);

@@ -10,6 +10,7 @@
 #include "base/base64.h"
 #include "base/error_free.h"
 #include "base/hash.h"
+#include "base/json_integer.h"
 #include "base/json_text.h"
 #include "film/film_image.h"
 #include "image/image.h"
@@ -201,22 +202,23 @@ PartInfo info_from(const json& j, int width, int height) {
   info.width = width;
   info.height = height;
   info.version = j.at("version").get<std::string>();
-  info.scene_hash = j.at("scene_hash").get<uint64_t>();
+  info.scene_hash = json_integer<uint64_t>(j.at("scene_hash"));
   for (const json& b : j.at("blocks")) {
-    info.blocks.push_back({b.at(0).get<uint32_t>(),
-                           b.at(1).get<uint32_t>(),
-                           {b.at(2).get<int>(), b.at(3).get<int>(), b.at(4).get<int>(), b.at(5).get<int>()}});
+    info.blocks.push_back({json_integer<uint32_t>(b.at(0)),
+                           json_integer<uint32_t>(b.at(1)),
+                           {json_integer<int>(b.at(2)), json_integer<int>(b.at(3)), json_integer<int>(b.at(4)),
+                            json_integer<int>(b.at(5))}});
   }
-  info.rays = j.at("rays").get<uint64_t>();
-  info.microseconds = j.at("microseconds").get<uint64_t>();
+  info.rays = json_integer<uint64_t>(j.at("rays"));
+  info.microseconds = json_integer<uint64_t>(j.at("microseconds"));
   film::InvalidSamples& invalid = info.invalid_samples;
-  invalid.nan = j.at("nan").get<uint64_t>();
-  invalid.infinite = j.at("infinite").get<uint64_t>();
-  invalid.negative = j.at("negative").get<uint64_t>();
+  invalid.nan = json_integer<uint64_t>(j.at("nan"));
+  invalid.infinite = json_integer<uint64_t>(j.at("infinite"));
+  invalid.negative = json_integer<uint64_t>(j.at("negative"));
   for (const json& s : j.at("first_invalid"))
-    invalid.first.push_back({s.at(0).get<int>(), s.at(1).get<int>(), s.at(2).get<uint32_t>(),
-                             static_cast<film::InvalidReason>(s.at(3).get<int>())});
-  info.hash = j.at("hash").get<uint64_t>();
+    invalid.first.push_back({json_integer<int>(s.at(0)), json_integer<int>(s.at(1)), json_integer<uint32_t>(s.at(2)),
+                             static_cast<film::InvalidReason>(json_integer<int>(s.at(3)))});
+  info.hash = json_integer<uint64_t>(j.at("hash"));
   return info;
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/json_integer.h"
+
 namespace etendue::render {
 namespace {
 
@@ -159,14 +161,14 @@ StructuralEdit edit_from(const json& j, const FileNaming& naming) {
   const Members members = members_of(edit.kind);
   if (members.name) edit.name = j.at("name").get<std::string>();
   if (members.type) edit.type = j.value("type", "");
-  if (members.node) edit.node = j.at("node").get<int>();
-  if (members.material) edit.material = j.at("material").get<int>();
-  if (members.parent) edit.parent = j.at("parent").get<int>();
-  if (members.primitive) edit.primitive = j.at("primitive").get<int>();
+  if (members.node) edit.node = json_integer<int>(j.at("node"));
+  if (members.material) edit.material = json_integer<int>(j.at("material"));
+  if (members.parent) edit.parent = json_integer<int>(j.at("parent"));
+  if (members.primitive) edit.primitive = json_integer<int>(j.at("primitive"));
   if (members.file) edit.file = naming(j.at("file").get<std::string>());
   if (members.transform) edit.transform = transform_from(j);
   if (members.keyframe) {
-    edit.animation = j.at("animation").get<int>();
+    edit.animation = json_integer<int>(j.at("animation"));
     edit.time = j.at("time").get<float>();
   }
   if (edit.kind == EditKind::add_camera) edit.camera = camera_from(j.at("camera"));

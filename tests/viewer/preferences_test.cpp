@@ -72,6 +72,17 @@ TEST_F(Preferences, UnreadableSettingsAreSetAside) {
   EXPECT_GE(state("a.json")["messages"], 1);
 }
 
+TEST_F(Preferences, NumbersOutOfRangeAreClamped) {
+  fs::create_directories(path("settings"));
+  std::ofstream(path("settings/viewer.json"))
+      << R"({"window": {"width": -1e30, "height": 1e30, "maximised": false}, "column": 1e30, "dark": true, "recent": [],
+            "folder": "", "threads": 1e30})";
+  ASSERT_EQ(run_with_settings(json::array({set("preferences.theme", "light"), click("preferences.close")})), 0);
+  EXPECT_FALSE(fs::exists(path("settings/viewer.json.damaged")));
+  EXPECT_EQ(settings()["threads"], 1024);
+  EXPECT_EQ(settings()["dark"], false);
+}
+
 TEST_F(Viewer, PaletteFindsParametersAndValues) {
   ASSERT_EQ(run(json::array({key("ctrl+k"),
                              {{"do", "wait"}, {"seconds", 0.2}},

@@ -1,5 +1,6 @@
 #include "viewer/state/settings.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -15,10 +16,14 @@ namespace fs = std::filesystem;
 
 constexpr size_t kMaxRecent = 12;
 
+int clamped(const json& number, int low, int high) {
+  return static_cast<int>(std::clamp(number.get<double>(), static_cast<double>(low), static_cast<double>(high)));
+}
+
 Settings from_json(const json& j) {
   Settings s;
-  s.window.width = std::clamp(j.at("window").at("width").get<int>(), 320, 16384);
-  s.window.height = std::clamp(j.at("window").at("height").get<int>(), 240, 16384);
+  s.window.width = clamped(j.at("window").at("width"), 320, 16384);
+  s.window.height = clamped(j.at("window").at("height"), 240, 16384);
   s.window.maximised = j.at("window").at("maximised").get<bool>();
   s.column_width = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
   s.bottom_panel_height = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
@@ -34,7 +39,7 @@ Settings from_json(const json& j) {
   s.show_welcome = j.value("show_welcome", true);
   s.show_details = j.value("show_timing", false);
   s.automatic_integrator = j.value("automatic_integrator", true);
-  s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
+  s.threads = clamped(j.value("threads", json(0)), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
   s.snapshots_have_samples = j.value("snapshots_have_samples", true);

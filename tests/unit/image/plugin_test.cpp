@@ -157,14 +157,18 @@ TEST_F(PluginFormats, PhotoshopIsRead) {
   EXPECT_EQ(image->bytes, (std::vector<uint8_t>{1, 3, 5, 2, 4, 6}));
 }
 
-// DirectDraw Surface: 32 bits, uncompressed, BGRA masks.
-TEST_F(PluginFormats, DirectDrawSurfacesAreRead) {
+// DirectDraw Surface: 2 x 1 pixels of 32 bits, uncompressed.
+FileBytes direct_draw_surface(const std::array<uint32_t, 4>& masks) {
   FileBytes file("DDS ");
   for (const uint32_t v : {124u, 0x100fu, 1u, 2u, 8u, 0u, 0u}) append_little_endian(file, v);
   file.append(44, '\0');
-  for (const uint32_t v : {32u, 0x41u, 0u, 32u, 0xff0000u, 0xff00u, 0xffu, 0xff000000u, 0x1000u, 0u, 0u, 0u, 0u})
+  for (const uint32_t v : {32u, 0x41u, 0u, 32u, masks[0], masks[1], masks[2], masks[3], 0x1000u, 0u, 0u, 0u, 0u})
     append_little_endian(file, v);
-  file += FileBytes("\3\2\1\xff\6\5\4\x80", 8);
+  return file + FileBytes("\3\2\1\xff\6\5\4\x80", 8);
+}
+
+TEST_F(PluginFormats, DirectDrawSurfacesAreRead) {
+  const FileBytes file = direct_draw_surface({0xff0000u, 0xff00u, 0xffu, 0xff000000u});
   const auto image = decode_image(view(file), "a.dds");
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->bytes, (std::vector<uint8_t>{1, 2, 3, 255, 4, 5, 6, 128}));
@@ -305,6 +309,24 @@ TEST_F(PluginFormats, DamagedFilesDoNotEndTheProgram) {
                             static_cast<size_t>(image->channels));
     }
   }
+}
+
+// OpenImageIO 2.4 does not end with the first, and allocates two gigabytes for the second.
+TEST_F(PluginFormats, DamagedHeadersAreErrors) {
+  for (size_t channel = 0; channel < 4; ++channel) {
+    std::array<uint32_t, 4> masks{0xff0000u, 0xff00u, 0xffu, 0xff000000u};
+    masks[channel] = 0;
+    const auto image = decode_image(view(direct_draw_surface(masks)), "a.dds");
+    ASSERT_FALSE(image) << channel;
+    EXPECT_TRUE(contains(image.error().message, "mask")) << image.error().message;
+  }
+  FileBytes photoshop("8BPS\0\1\0\0\0\0\0\0\0\3", 14);
+  append_big_endian(photoshop, 1);
+  append_big_endian(photoshop, 2);
+  photoshop += FileBytes("\0\x08\0\3\x7f\xff\0\0", 8) + FileBytes(64, '\1');
+  const auto image = decode_image(view(photoshop), "a.psd");
+  ASSERT_FALSE(image);
+  EXPECT_TRUE(contains(image.error().message, "longer than the file")) << image.error().message;
 }
 
 TEST_F(PluginFormats, HugeSizesAreRejectedBeforeMemoryIsAllocated) {
