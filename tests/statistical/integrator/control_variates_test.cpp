@@ -66,7 +66,7 @@ TEST(ControlVariates, BlackPartsOfTheEnvironmentAreControlled) {
   map->type = image::PixelType::float32;
   for (int i = 0; i < map->width * map->height; ++i) {
     const bool is_red = i % map->width < 4;
-    for (const float c : {is_red ? 1.0f : 0.0f, 0.0f, is_red ? 0.0f : 3.0f}) map->floats.push_back(c);
+    for (const float c : {is_red ? 1.0f : 0.0f, 0.0f, is_red ? 0.0f : 30.0f}) map->floats.push_back(c);
   }
   scene->environment = {};
   scene->environment.map = map;
