@@ -74,7 +74,9 @@ class TreeFilter {
   std::vector<bool> shown_;
 };
 
+// False for a node that is not in the scene: the selected one, if a widget of this frame has added it to the document.
 bool is_ancestor(const scene::Scene& scene, int ancestor, int node) {
+  if (static_cast<size_t>(node) >= scene.nodes.size()) return false;
   for (int i = scene.nodes[static_cast<size_t>(node)].parent; i >= 0; i = scene.nodes[static_cast<size_t>(i)].parent)
     if (i == ancestor) return true;
   return false;
