@@ -39,7 +39,7 @@ Error PhotometryReader::error(const std::string& what) const {
 }
 
 std::string_view PhotometryReader::next_line() {
-  // The end of the last line is read now, so that errors in that line had its number.
+  // A line end counts when the next line is read: until then, errors are in the line before it.
   if (at_ > 0 && at_ < text_.size() && text_[at_] == '\n') {
     ++at_;
     ++line_;

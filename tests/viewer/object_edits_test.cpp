@@ -29,6 +29,23 @@ class ObjectEdits : public Viewer {
   }
 };
 
+// The rows that are drawn after the copy was made belong to the scene before it.
+TEST_F(ObjectEdits, ContextMenuOfTheTreeDuplicates) {
+  json steps = json::array({click("tab.scene")});
+  const json wait{{"do", "wait"}, {"seconds", 0.3}};
+  for (const char* item : {"scene.node.1", "scene.node.0"})
+    steps = joined(
+        steps,
+        json::array(
+            {{{"do", "click"}, {"item", item}, {"button", "right"}}, wait, click("entry.object.duplicate"), wait}));
+  steps.push_back(file_step("state", path("copies.json")));
+  ASSERT_EQ(run(steps, "many-lights"), 0);
+  const json report = state("copies.json");
+  const int copy = report["selection"]["node"];
+  EXPECT_TRUE(report["items"].contains("scene.node." + std::to_string(copy))) << copy;
+  EXPECT_FALSE(report["items"].contains("scene.node." + std::to_string(copy + 1)));
+}
+
 TEST_F(ObjectEdits, AddedObjectsAreRestored) {
   expect_same_after_reopening(json::array({click("add.sphere"), click("add.light.point"), click("add.light.spot"),
                                            click("add.camera"), click("add.disk"), click("object.duplicate")}));

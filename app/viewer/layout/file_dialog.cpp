@@ -158,7 +158,7 @@ void FileDialog::draw_formats(AppState& state) {
   const auto label = [&](size_t i) { return formats_[i] + " (" + extensions_[i] + ")"; };
   const auto selected = static_cast<size_t>(std::ranges::find(extensions_, current) - extensions_.begin());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo("##format", selected < formats_.size() ? label(selected).c_str() : "Format")) {
+  if (begin_combo("##format", selected < formats_.size() ? label(selected).c_str() : "Format")) {
     for (size_t i = 0; i < formats_.size(); ++i) {
       if (ImGui::Selectable(label(i).c_str(), i == selected)) name_ = fs::path(name_).replace_extension(extensions_[i]);
       state.ui.items.add("files.format." + extensions_[i].substr(1));

@@ -98,8 +98,7 @@ void draw_column_panel(AppState& state, Panel& panel, const std::string& item, s
   else if (state.files.loader->is_busy())
     note(state.ui, "Opening the scene.");
   else
-    note(state.ui,
-         "Open a scene with " + label(state.actions.find("file.open")->chords()) + ", or drop a file on the window.");
+    note(state.ui, "Open a scene with File > Open..., or drop a file on the window.");
   state.ui.filter.clear();
   ImGui::EndChild();
 }

@@ -45,8 +45,7 @@ void camera_combo(AppState& state) {
   for (size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i].to_world == state.document().camera.to_world) current = i;
   const auto name = [&](size_t i) { return object_name(cameras[i].name, "camera", i); };
-  keep_combo_visible();
-  if (ImGui::BeginCombo("##camera", current < cameras.size() ? name(current).c_str() : "User view")) {
+  if (begin_combo("##camera", current < cameras.size() ? name(current).c_str() : "User view")) {
     for (size_t i = 0; i < cameras.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::Selectable(name(i).c_str(), i == current)) use_camera(state, cameras[i]);

@@ -28,7 +28,7 @@ using Phase = bench::LiveBenchmarkSnapshot::Phase;
 template <class E>
 void compact_parameter(AppState& state, Choice<E>& choice) {
   const ParameterInfo info = describe(choice);
-  if (const auto value = compact_choice(state, info, width_of_choice(info))) assign(choice, *value);
+  if (const auto value = compact_choice(state, info, width_of_choice(state.ui, info))) assign(choice, *value);
 }
 
 template <class T>
@@ -64,7 +64,8 @@ ParameterInfo sampler_parameter(const std::string& value) {
 
 // A choice whose value is the name of an option.
 void compact_name(AppState& state, const ParameterInfo& info, std::string& name) {
-  if (const auto value = compact_choice(state, info, width_of_choice(info))) name = std::get<std::string>(*value);
+  if (const auto value = compact_choice(state, info, width_of_choice(state.ui, info)))
+    name = std::get<std::string>(*value);
 }
 
 struct Column {
@@ -256,7 +257,7 @@ class ConvergencePanel final : public Panel {
       ImGui::SameLine();
       action_button(state, "compare.continue");
     }
-    const float rule_width = width_of_choice(describe(parameters.rule)), budget_width = em * 5.6f,
+    const float rule_width = width_of_choice(state.ui, describe(parameters.rule)), budget_width = em * 5.6f,
                 repeats_width = em * 3;
     same_line_if_fits(rule_width + budget_width + repeats_width + 2 * ImGui::GetStyle().ItemSpacing.x);
     compact_parameter(state, parameters.rule);
@@ -350,7 +351,7 @@ class ConvergencePanel final : public Panel {
     auto& parameters = task_.parameters;
     compact_name(state, integrator_parameter(parameters.integrator), parameters.integrator);
     const ParameterInfo sampler = sampler_parameter(parameters.sampler);
-    same_line_if_fits(width_of_choice(sampler));
+    same_line_if_fits(width_of_choice(state.ui, sampler));
     compact_name(state, sampler, parameters.sampler);
     if (ImGui::Button("Add"))
       task_.add_method(parameters.integrator + ":sampler=" + parameters.sampler +
@@ -369,9 +370,9 @@ class ConvergencePanel final : public Panel {
 
   void draw_chart_parameters(AppState& state) {
     compact_parameter(state, task_.parameters.chart);
-    same_line_if_fits(width_of_choice(describe(task_.parameters.error)));
+    same_line_if_fits(width_of_choice(state.ui, describe(task_.parameters.error)));
     compact_parameter(state, task_.parameters.error);
-    same_line_if_fits(width_of_choice(describe(task_.parameters.axis)));
+    same_line_if_fits(width_of_choice(state.ui, describe(task_.parameters.axis)));
     compact_parameter(state, task_.parameters.axis);
     same_line_if_fits(ImGui::GetFontSize() * 8);
     action_button(state, "compare.export");

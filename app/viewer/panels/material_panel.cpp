@@ -73,8 +73,7 @@ void material_combo(AppState& state, const scene::Scene& scene, bool has_selecti
   const auto name = [&](size_t i) { return object_name(scene.materials[i].name, "material", i); };
   const auto selected = static_cast<size_t>(std::max(0, state.selection.material));
   ImGui::SetNextItemWidth(-1);
-  keep_combo_visible();
-  if (ImGui::BeginCombo("##material", has_selection ? name(selected).c_str() : "No material selected")) {
+  if (begin_combo("##material", has_selection ? name(selected).c_str() : "No material selected")) {
     for (size_t i = 0; i < scene.materials.size(); ++i) {
       if (!scene::has_material(scene, static_cast<int>(i))) continue;
       ImGui::PushID(static_cast<int>(i));
@@ -118,8 +117,7 @@ void name_and_buttons(AppState& state, const Material& material) {
 // The presets of all reflection models.
 void presets_combo(AppState& state) {
   label_column("Presets");
-  keep_combo_visible();
-  if (ImGui::BeginCombo("##presets", "All models...", ImGuiComboFlags_HeightLarge)) {
+  if (begin_combo("##presets", "All models...", ImGuiComboFlags_HeightLarge)) {
     size_t index = 0;
     for (const BsdfModelInfo& model : bsdf_model_infos()) {
       if (model.presets.empty()) continue;

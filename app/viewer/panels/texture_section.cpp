@@ -69,8 +69,7 @@ void request_texture(AppState& state, const TextureSlot& slot) {
 // A list of the slots that have no texture.
 void draw_add_texture(AppState& state, const Material& material) {
   ImGui::SetNextItemWidth(-1);
-  keep_combo_visible();
-  if (ImGui::BeginCombo("##add-texture", "Add texture...", ImGuiComboFlags_HeightLarge)) {
+  if (begin_combo("##add-texture", "Add texture...", ImGuiComboFlags_HeightLarge)) {
     for (const TextureSlot& slot : texture_slots()) {
       if ((material.*slot.use).texture >= 0 || (material.model && !slot.applies_to_models)) continue;
       if (ImGui::Selectable(slot.label)) request_texture(state, slot);

@@ -59,11 +59,12 @@ void same_line_if_fits(float width) {
   if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
-void keep_combo_visible() {
+bool begin_combo(const char* label, const char* preview, ImGuiComboFlags flags) {
   const float top = ImGui::GetCursorScreenPos().y, bottom = top + ImGui::GetFrameHeight();
   const float margin = 2 * ImGui::GetStyle().DisplaySafeAreaPadding.y;
   const float room = std::max(top, ImGui::GetIO().DisplaySize.y - bottom) - margin;
   ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, room});
+  return ImGui::BeginCombo(label, preview, flags);
 }
 
 void note(const UiContext& ui, const std::string& text) { wrapped_text(text, ui.theme.secondary_text); }

@@ -39,8 +39,8 @@ constexpr float kControlColumnWidth = 20;
 // Continues the line if an item of this width fits.
 void same_line_if_fits(float width);
 
-// Limits the height of the list of the next combo box to the room above or below the box, so that it stays visible.
-void keep_combo_visible();
+// ImGui::BeginCombo with a list that fits above or below the box, so that the box stays visible.
+bool begin_combo(const char* label, const char* preview, ImGuiComboFlags flags = ImGuiComboFlags_None);
 
 // Places `controls` of this width to the right of `content`, or below it in windows of less than three times the width.
 void with_controls(const UiContext& ui, float width, const std::function<void()>& content,

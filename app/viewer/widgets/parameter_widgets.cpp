@@ -25,8 +25,7 @@ using Parameters = std::vector<render::DocumentParameter>;
 void options_combo(UiContext& ui, const ParameterInfo& info, const char* preview, size_t selected, WidgetEdit& edit) {
   ImGuiComboFlags flags = ImGuiComboFlags_HeightLarge;
   if (!preview) flags |= ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft;
-  keep_combo_visible();
-  if (!ImGui::BeginCombo("##options", preview, flags)) return;
+  if (!begin_combo("##options", preview, flags)) return;
   if (auto chosen = option_list(ui, info, selected)) edit.value = std::move(chosen);
   ImGui::EndCombo();
 }
@@ -270,13 +269,12 @@ std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, 
   const size_t selected = index_of_option(info);
   ImGui::PushID(info.name.c_str());
   ImGui::SetNextItemWidth(width);
-  keep_combo_visible();
-  const bool open = ImGui::BeginCombo("##", info.option_labels[selected].c_str());
+  const bool open = begin_combo("##", info.option_labels[selected].c_str());
   if (open) {
     edit.value = option_list(state.ui, info, selected);
     ImGui::EndCombo();
   } else {
-    state.ui.items.add_text(info.name, std::round(ImGui::GetItemRectSize().x) >= width_of_choice(info));
+    state.ui.items.add_text(info.name, std::round(ImGui::GetItemRectSize().x) >= width_of_choice(state.ui, info));
     describe_choice(state.ui, info, info.option_labels[selected]);
     edit.reset = parameter_menu(state, info);
   }
@@ -285,11 +283,7 @@ std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, 
   return value ? value : take_requested_value(state.ui, info);
 }
 
-float width_of_choice(const ParameterInfo& info) {
-  float widest = 0;
-  for (const std::string& label : info.option_labels) widest = std::max(widest, ImGui::CalcTextSize(label.c_str()).x);
-  return std::ceil(widest + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x);
-}
+float width_of_choice(const UiContext& ui, const ParameterInfo& info) { return widths_of_options(ui, info).largest; }
 
 std::optional<Value> compact_toggle(AppState& state, const ParameterInfo& info) {
   ImGui::PushID(info.name.c_str());

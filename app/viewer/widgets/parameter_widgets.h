@@ -42,6 +42,6 @@ std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, 
 std::optional<Value> compact_number(AppState& state, const ParameterInfo& info, float width);
 std::optional<Value> compact_toggle(AppState& state, const ParameterInfo& info);
 // The width in pixels in which a choice shows each of its options completely.
-float width_of_choice(const ParameterInfo& info);
+float width_of_choice(const UiContext& ui, const ParameterInfo& info);
 
 }  // namespace etendue::viewer

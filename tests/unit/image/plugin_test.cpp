@@ -311,7 +311,7 @@ TEST_F(PluginFormats, DamagedFilesDoNotEndTheProgram) {
   }
 }
 
-// OpenImageIO 2.4 does not end with the first, and allocates two gigabytes for the second.
+// OpenImageIO 2.4 does not end with the first, and allocates gigabytes for the others.
 TEST_F(PluginFormats, DamagedHeadersAreErrors) {
   for (size_t channel = 0; channel < 4; ++channel) {
     std::array<uint32_t, 4> masks{0xff0000u, 0xff00u, 0xffu, 0xff000000u};
@@ -327,6 +327,13 @@ TEST_F(PluginFormats, DamagedHeadersAreErrors) {
   const auto image = decode_image(view(photoshop), "a.psd");
   ASSERT_FALSE(image);
   EXPECT_TRUE(contains(image.error().message, "longer than the file")) << image.error().message;
+  // The size of the user data, in both byte orders.
+  for (const char* magic : {"SDPX", "XPDS"}) {
+    FileBytes picture = FileBytes(magic) + FileBytes(28, '\0') + FileBytes("\x49\x49\x49\x49") + FileBytes(2048, '\0');
+    const auto damaged = decode_image(view(picture), "a.dpx");
+    ASSERT_FALSE(damaged);
+    EXPECT_TRUE(contains(damaged.error().message, "longer than the file")) << damaged.error().message;
+  }
 }
 
 TEST_F(PluginFormats, HugeSizesAreRejectedBeforeMemoryIsAllocated) {
