@@ -65,12 +65,12 @@ void list_emissive_materials(AppState& state, const scene::Scene& scene) {
   }
 }
 
-// Colour and power of well-known light sources: of those that fit the light, or of all.
+// The choice of a well-known light source: of those that fit the light; null: of all.
 ParameterInfo preset_parameter(const Light* light) {
   ParameterInfo info;
   info.name = kPresetItem;
   info.label = "Preset";
-  info.doc = "Sets colour and power to those of a well-known light source";
+  info.doc = "Sets colour and power of the selected light to those of a well-known light source";
   info.type = ParameterType::choice;
   info.default_value = std::string("none");
   info.options = {"none"};
@@ -173,8 +173,7 @@ class LightPanel final : public Panel {
         {"environment.image.N", "Environment N", "Lights the scene with built-in environment N"},
         {kTemperatureItem, "Temperature",
          "Sets the colour of the selected light to that of a black body of this temperature"},
-        {kStrengthItem, "Strength", "Scales the luminance of the environment, in steps of a factor of two"},
-        {kPresetItem, "Preset", "Sets colour and power of the selected light to those of a well-known light source"}};
+        {kStrengthItem, "Strength", "Scales the luminance of the environment, in steps of a factor of two"}};
   }
 
   void add_actions(ActionList& actions) override {
