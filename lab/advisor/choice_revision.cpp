@@ -42,7 +42,6 @@ Revision revised_choice(render::Session& session, const render::Document& docume
   plan.budget = kRevisionShare * seconds;
   plan.by_processor_time = !options.cost;
   plan.horizon = 1 / kRevisionShare;
-  plan.max_samples = 4096;
   plan.max_pixels = choice.pilot_pixels;
   plan.seed = choice.pilot_seed;
   const auto shown_progress = [&](double done, const std::string& what) {

@@ -58,7 +58,7 @@ struct ComparisonPlan {
   // If positive, the budget is the cost of this number of samples of a pixel, by the cheapest method.
   double budget_samples = 0;
   double horizon = 10;         // the error is predicted for a rendering of this multiple of the budget
-  uint32_t max_samples = 128;  // per pixel
+  uint32_t max_samples = 4096;  // per pixel
   int max_pixels = 40000;      // larger images are reduced to this size
   uint64_t seed = 0;
 };

@@ -6,14 +6,6 @@ namespace {
 // Cells with fewer records are not divided.
 constexpr float kFewestRecords = 8;
 
-// Selects the second of two parts with the positive masses `first` and `second`, and stretches u to that part.
-bool select_part(float first, float second, float& u) {
-  const float split = first / (first + second);
-  const bool is_second = u >= split;
-  u = std::min(is_second ? (u - split) / (1 - split) : u / split, kOneMinusEpsilon);
-  return is_second;
-}
-
 // Adds a node for a quarter of another one.
 uint32_t add_child(std::vector<QuadtreeNode>& nodes, uint32_t parent, size_t quarter) {
   const auto added = static_cast<uint32_t>(nodes.size());
@@ -58,19 +50,43 @@ bool is_quadtree(const std::vector<QuadtreeNode>& nodes) {
   return !nodes.empty();
 }
 
-Vec2 DirectionalDistribution::sample(Vec2 u) const {
+DirectionalDistribution::DirectionalDistribution(std::vector<QuadtreeNode> nodes) : nodes_(std::move(nodes)) {
+  for (size_t cell = 0; cell < kCells; ++cell) {
+    const QuadtreeNode* node = nodes_.data();
+    float probability = 1;
+    for (int depth = kCellDepth - 1; depth >= 0; --depth) {
+      const size_t quarter = cell >> (2 * depth) & 3;
+      probability *= node ? node->values[quarter] : 0.25f;
+      node = node && node->child[quarter] != 0 ? &nodes_[node->child[quarter]] : nullptr;
+    }
+    cell_probabilities_[cell] = probability;
+  }
+}
+
+Vec2 DirectionalDistribution::sample_below(const QuadtreeNode* node, Vec2 u) const {
   Vec2 corner(0);
   float size = 1;
-  for (const QuadtreeNode* node = nodes_.data();;) {
-    const auto& p = node->values;
-    const size_t x = select_part(p[0] + p[2], p[1] + p[3], u.x);
-    const size_t y = select_part(p[x], p[x + 2], u.y);
+  for (;;) {
+    const size_t quarter = select_quarter(node->values.data(), u);
     size *= 0.5f;
-    corner += size * Vec2(static_cast<float>(x), static_cast<float>(y));
-    const uint32_t child = node->child[x + 2 * y];
+    corner += size * Vec2(static_cast<float>(quarter & 1), static_cast<float>(quarter >> 1));
+    const uint32_t child = node->child[quarter];
     if (child == 0) return glm::min(corner + size * u, Vec2(kOneMinusEpsilon));
     node = &nodes_[child];
   }
+}
+
+Vec2 DirectionalDistribution::sample(Vec2 u) const { return sample_below(nodes_.data(), u); }
+
+Vec2 DirectionalDistribution::sample_in_cell(size_t cell, Vec2 u) const {
+  const QuadtreeNode* node = nodes_.data();
+  for (int depth = kCellDepth - 1; depth >= 0 && node; --depth) {
+    const uint32_t child = node->child[cell >> (2 * depth) & 3];
+    node = child != 0 ? &nodes_[child] : nullptr;
+  }
+  constexpr float kCellSize = 1.0f / (1 << kCellDepth);
+  const Vec2 inside = node ? sample_below(node, u) : u;
+  return glm::min(cell_corner(cell) + kCellSize * inside, Vec2(kOneMinusEpsilon));
 }
 
 DirectionalSums DirectionalDistribution::cells(float threshold) const {

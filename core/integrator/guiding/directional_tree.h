@@ -37,8 +37,43 @@ struct QuadtreeNode {
 };
 inline constexpr int kMaxQuadtreeDepth = 12;
 
+// The square is also divided into 8 x 8 equal cells, those of the third level of a full quadtree. The index of a cell
+// consists of the quarters that lead to it, the first one in the highest bits.
+inline constexpr int kCellDepth = 3;
+inline constexpr size_t kCells = size_t{1} << (2 * kCellDepth);
+// The cell that contains p, which becomes the position in that cell.
+inline size_t descend_to_cell(Vec2& p) {
+  size_t cell = 0;
+  for (int depth = 0; depth < kCellDepth; ++depth) cell = 4 * cell + QuadtreeNode::descend(p);
+  return cell;
+}
+// The lower corner of a cell.
+inline Vec2 cell_corner(size_t cell) {
+  Vec2 corner(0);
+  for (int depth = 0; depth < kCellDepth; ++depth) {
+    const size_t quarter = cell >> (2 * depth) & 3;
+    corner = 0.5f * (corner + Vec2(static_cast<float>(quarter & 1), static_cast<float>(quarter >> 1)));
+  }
+  return corner;
+}
+
 // Whether the nodes form a quadtree.
 bool is_quadtree(const std::vector<QuadtreeNode>& nodes);
+
+// Selects the second of two parts with the masses `first` and `second`, of which one is positive, and stretches u to
+// that part.
+inline bool select_part(float first, float second, float& u) {
+  const float split = first / (first + second);
+  const bool is_second = u >= split;
+  u = std::min(is_second ? (u - split) / (1 - split) : u / split, kOneMinusEpsilon);
+  return is_second;
+}
+// Selects one of four quarters by their masses, and stretches u to it.
+inline size_t select_quarter(const float* masses, Vec2& u) {
+  const size_t x = select_part(masses[0] + masses[2], masses[1] + masses[3], u.x);
+  const size_t y = select_part(masses[x], masses[x + 2], u.y);
+  return x + 2 * y;
+}
 
 class DirectionalSums;
 
@@ -46,9 +81,9 @@ class DirectionalSums;
 class DirectionalDistribution {
  public:
   // Uniform.
-  DirectionalDistribution() : nodes_{{{0.25f, 0.25f, 0.25f, 0.25f}, {}}} {}
+  DirectionalDistribution() : DirectionalDistribution(std::vector<QuadtreeNode>{{{0.25f, 0.25f, 0.25f, 0.25f}, {}}}) {}
   // `nodes` must be a quadtree.
-  explicit DirectionalDistribution(std::vector<QuadtreeNode> nodes) : nodes_(std::move(nodes)) {}
+  explicit DirectionalDistribution(std::vector<QuadtreeNode> nodes);
 
   // The density of `sample` at a point, per unit area of the square.
   float pdf(Vec2 p) const {
@@ -63,13 +98,22 @@ class DirectionalDistribution {
   // A point for u uniform in the square.
   Vec2 sample(Vec2 u) const;
 
+  // The probabilities of the 8 x 8 cells.
+  const std::array<float, kCells>& cell_probabilities() const { return cell_probabilities_; }
+  // A point in a cell, with the density of `sample` given that its point lies there.
+  Vec2 sample_in_cell(size_t cell, Vec2 u) const;
+
   // Empty sums whose cells have a probability of at most `threshold` each, where the depth allows it.
   DirectionalSums cells(float threshold) const;
 
   const std::vector<QuadtreeNode>& nodes() const { return nodes_; }
 
  private:
+  // A point of the square that the node divides.
+  Vec2 sample_below(const QuadtreeNode* node, Vec2 u) const;
+
   std::vector<QuadtreeNode> nodes_;
+  alignas(64) std::array<float, kCells> cell_probabilities_;
 };
 
 // Sums over the cells of a quadtree.

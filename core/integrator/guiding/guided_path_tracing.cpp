@@ -72,9 +72,12 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
       "Fraction of directions that are sampled by what was learned, the others by the BSDF. 0: learned "
       "for each region"};
 
+  Toggle product{"product", "Product with cosine", true,
+                 "Guides directions by the product of radiance and cosine. Off: by the radiance alone"};
+
   using IntegratorBase::at_max_depth;
 
-  auto parameters() { return std::tie(max_depth, lights, roulette_start, fraction); }
+  auto parameters() { return std::tie(max_depth, lights, roulette_start, fraction, product); }
 
   std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 };
@@ -253,7 +256,7 @@ class GuidedState final : public RenderState {
     using namespace transport;
     constexpr MisHeuristic kHeuristic = MisHeuristic::power;
     const auto sampling = light_sampling().with(learned_.get());
-    guiding::GuidedSampling<M> guided(paths, progress_.guide, records);
+    guiding::GuidedSampling<M> guided(paths, progress_.guide, records, integrator_.product);
     while (paths.trace()) {
       records.separate_direct_light(paths);
       add_environment(paths, kHeuristic, sampling);

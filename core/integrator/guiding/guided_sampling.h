@@ -2,12 +2,15 @@
 //
 //   p(w) = (1 - c) p_b(w) + c p_g(w)
 //
+// The density p_g is that of the incident radiance, or its product with the cosine (cosine_product.h).
+//
 // One direction is sampled per vertex, from one of the two densities, and weighted by f_s |cos| / p. Deltas are sampled
 // by the BSDF alone; their probability is (1 - c) times that of the BSDF.
 #pragma once
 #include <array>
 #include <vector>
 
+#include "integrator/guiding/cosine_product.h"
 #include "integrator/guiding/radiance_guide.h"
 #include "transport/wavefront/path_estimators.h"
 
@@ -84,8 +87,9 @@ class GuidedSampling {
  public:
   using Color = typename M::Color;
 
-  GuidedSampling(transport::PathWavefront<M>& paths, const RadianceGuide& guide, PathRecords<M>& records)
-      : paths_(paths), guide_(guide), records_(records) {}
+  // `product`: directions are guided by the product of radiance and cosine.
+  GuidedSampling(transport::PathWavefront<M>& paths, const RadianceGuide& guide, PathRecords<M>& records, bool product)
+      : paths_(paths), guide_(guide), records_(records), product_(product) {}
 
   void begin_hits() {
     for (int i = 0; i < paths_.hit_count(); ++i) {
@@ -96,6 +100,7 @@ class GuidedSampling {
       const bool is_guided =
           paths_.length() <= kGuidedVertices && region.is_ready() && paths_.bsdf(i).has_non_delta_lobe();
       fractions_[hit] = is_guided ? region.fraction : 0;
+      if (is_guided && product_) set_product(i, region);
     }
   }
 
@@ -103,7 +108,9 @@ class GuidedSampling {
   float pdf(int hit, const Vec3& wi, float bsdf_pdf) const {
     const float fraction = fractions_[static_cast<size_t>(hit)];
     if (fraction == 0) return bsdf_pdf;
-    return (1 - fraction) * bsdf_pdf + fraction * guide_pdf(hit, sphere_to_square(wi));
+    Densities densities;
+    set_densities(hit, sphere_to_square(wi), bsdf_pdf, densities);
+    return densities.mixture;
   }
 
   void add_direct_light(LightSampling sampling) {
@@ -143,6 +150,7 @@ class GuidedSampling {
  private:
   struct Densities {
     float mixture = 0, bsdf = 0, guide = 0;
+    float radiance = 0;  // that of the guide without the cosine
 
     // Russian roulette estimates the remaining light by the throughput. Directions that the guide prefers have a small
     // throughput and much light, so their survival probability follows from the BSDF's density.
@@ -159,7 +167,7 @@ class GuidedSampling {
     // The reflected radiance of a diffuse surface under the mean radiance of the hemisphere.
     if (first == 0) first = throughput * densities.gain() * region.flux * (0.5f * kInvPi);
     if (!(first > 0)) return 0;
-    return std::clamp(kRouletteScale * throughput * region.flux * densities.guide / first, kLeastSurvival,
+    return std::clamp(kRouletteScale * throughput * region.flux * densities.radiance / first, kLeastSurvival,
                       kMostSurvival);
   }
 
@@ -172,8 +180,29 @@ class GuidedSampling {
     return random < survival;
   }
 
-  float guide_pdf(int hit, Vec2 direction) const {
+  // BSDFs without transmission scatter to the side of wo.
+  void set_product(int hit, const Region& region) {
+    const scene::SurfacePoint& point = paths_.point(hit);
+    const Vec3& normal = point.shading.z;
+    products_[static_cast<size_t>(hit)].set(
+        region.guide, glm::dot(normal, paths_.wo(hit)) < 0 ? -normal : normal,
+        point.material->is_opaque ? ScatteredSide::normal : ScatteredSide::both);
+  }
+
+  // The density of the guide per solid angle, without the cosine.
+  float radiance_pdf(int hit, Vec2 direction) const {
     return regions_[static_cast<size_t>(hit)]->guide.pdf(direction) * (0.25f * kInvPi);
+  }
+  float cosine_factor(int hit, Vec2 direction) const {
+    return product_ ? products_[static_cast<size_t>(hit)].factor(direction) : 1;
+  }
+  // Sets the densities of a guided hit where the BSDF has `bsdf_pdf`.
+  void set_densities(int hit, Vec2 direction, float bsdf_pdf, Densities& densities) const {
+    const float fraction = fractions_[static_cast<size_t>(hit)];
+    densities.bsdf = bsdf_pdf;
+    densities.radiance = radiance_pdf(hit, direction);
+    densities.guide = densities.radiance * cosine_factor(hit, direction);
+    densities.mixture = (1 - fraction) * bsdf_pdf + fraction * densities.guide;
   }
 
   void add_light_samples(std::span<const LightSample> samples) {
@@ -198,23 +227,22 @@ class GuidedSampling {
       s.weight /= 1 - fraction;
       return true;
     }
-    densities.bsdf = s.pdf_solid_angle;
-    if (fraction > 0) densities.guide = guide_pdf(hit, sphere_to_square(s.wi));
-    densities.mixture = (1 - fraction) * densities.bsdf + fraction * densities.guide;
+    if (fraction > 0)
+      set_densities(hit, sphere_to_square(s.wi), s.pdf_solid_angle, densities);
+    else
+      densities.bsdf = densities.mixture = s.pdf_solid_angle;
     s.weight *= densities.bsdf / densities.mixture;
     s.pdf_solid_angle = densities.mixture;
     return true;
   }
 
   bool sample_guide(int hit, Vec2 u, LobeSample<Color>& s, Densities& densities) const {
-    const float fraction = fractions_[static_cast<size_t>(hit)];
-    const Vec2 direction = regions_[static_cast<size_t>(hit)]->guide.sample(u);
+    const Vec2 direction = product_ ? products_[static_cast<size_t>(hit)].sample(u)
+                                    : regions_[static_cast<size_t>(hit)]->guide.sample(u);
     s.wi = square_to_sphere(direction);
     const auto scattered = paths_.bsdf(hit).evaluate(paths_.wo(hit), s.wi);
     if (is_black(scattered.f_cos)) return false;
-    densities.bsdf = scattered.pdf;
-    densities.guide = guide_pdf(hit, direction);
-    densities.mixture = (1 - fraction) * densities.bsdf + fraction * densities.guide;
+    set_densities(hit, direction, scattered.pdf, densities);
     s.weight = scattered.f_cos / densities.mixture;
     s.pdf_solid_angle = densities.mixture;
     return true;
@@ -243,6 +271,8 @@ class GuidedSampling {
   transport::PathWavefront<M>& paths_;
   const RadianceGuide& guide_;
   PathRecords<M>& records_;
+  const bool product_;
+  std::array<CosineProduct, transport::PathWavefront<M>::kHitsAtATime> products_;  // of guided hits
   std::array<uint32_t, transport::PathWavefront<M>::kHitsAtATime> indices_{};
   std::array<const Region*, transport::PathWavefront<M>::kHitsAtATime> regions_{};
   std::array<float, transport::PathWavefront<M>::kHitsAtATime> fractions_{};

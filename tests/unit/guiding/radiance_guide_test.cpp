@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "base/hash.h"
+#include "equations/pearson_test.h"
 #include "integrator/guiding/block_records.h"
+#include "integrator/guiding/cosine_product.h"
 #include "integrator/guiding/radiance_guide.h"
 #include "support/chi_square.h"
 
@@ -72,6 +75,61 @@ TEST(DirectionalTree, SamplesHaveTheDensity) {
     const test::ChiSquare result = test::chi_square_on_sphere(sample, pdf, 500'000);
     EXPECT_GT(result.p_value, 1e-3) << result.statistic << " of " << result.degrees;
     EXPECT_GT(result.degrees, 20);
+  }
+}
+
+TEST(DirectionalTree, CellsHaveTheirProbabilities) {
+  for (const DirectionalDistribution& d : distributions_with_peaks()) {
+    constexpr int kGrid = 1 << guiding::kMaxQuadtreeDepth;
+    std::array<double, guiding::kCells> sums{};
+    for (int x = 0; x < kGrid; ++x)
+      for (int y = 0; y < kGrid; ++y) {
+        Vec2 p = (Vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f) / float{kGrid};
+        const double density = double{d.pdf(p)};
+        sums[guiding::descend_to_cell(p)] += density / (double{kGrid} * kGrid);
+      }
+    for (size_t i = 0; i < guiding::kCells; ++i) EXPECT_NEAR(d.cell_probabilities()[i] / sums[i], 1, 1e-4) << i;
+  }
+  for (size_t i = 0; i < guiding::kCells; ++i) {
+    Vec2 p = guiding::cell_corner(i) + 0.01f;
+    EXPECT_EQ(guiding::descend_to_cell(p), i);
+    EXPECT_NEAR(p.x, 0.08f, 1e-5f);
+  }
+}
+
+// Samples are counted in 16 x 16 cells of the square, whose probabilities follow from those of the distribution. The
+// false-alarm rate is 0.1 % per product.
+TEST(CosineProduct, SamplesHaveTheDensity) {
+  using guiding::ScatteredSide;
+  constexpr int kRows = 16, kGrid = 1 << guiding::kMaxQuadtreeDepth;
+  constexpr uint32_t kSamples = 500'000;
+  const auto cell_of = [](Vec2 p) { return static_cast<size_t>(p.x * kRows) + kRows * static_cast<size_t>(p.y * kRows); };
+  const Vec3 normal = glm::normalize(Vec3(0.3f, -0.8f, 0.5f));
+  const Vec3 tangent = glm::normalize(glm::cross(normal, Vec3(0, 0, 1)));
+  for (const DirectionalDistribution& d : distributions_with_peaks()) {
+    std::vector<double> probabilities(size_t{kRows} * kRows);
+    for (int x = 0; x < kGrid; ++x)
+      for (int y = 0; y < kGrid; ++y) {
+        const Vec2 p = (Vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f) / float{kGrid};
+        probabilities[cell_of(p)] += double{d.pdf(p)} / (double{kGrid} * kGrid);
+      }
+    for (const ScatteredSide side : {ScatteredSide::normal, ScatteredSide::both}) {
+      guiding::CosineProduct product;
+      product.set(d, normal, side);
+      const auto factor = [&](const Vec3& w) { return product.factor(guiding::sphere_to_square(w)); };
+      EXPECT_GT(factor(normal), 3 * factor(tangent));
+      EXPECT_EQ(factor(-normal) > 0, side == ScatteredSide::both);
+      std::vector<double> counts(probabilities.size()), expected;
+      for (uint32_t k = 0; k < kSamples; ++k) ++counts[cell_of(product.sample(random_point(k + 500'000)))];
+      for (size_t i = 0; i < counts.size(); ++i) {
+        const Vec2 centre = (Vec2(static_cast<float>(i % kRows), static_cast<float>(i / kRows)) + 0.5f) / float{kRows};
+        expected.push_back(kSamples * probabilities[i] * double{product.factor(centre)});
+      }
+      EXPECT_NEAR(std::accumulate(expected.begin(), expected.end(), 0.0), kSamples, 1e-4 * kSamples);
+      const auto result = equations::chi_square_test(counts, expected);
+      EXPECT_GT(result.p_value, 1e-3) << result.statistic << " of " << result.degrees;
+      EXPECT_GT(result.degrees, 20);
+    }
   }
 }
 
