@@ -6,7 +6,7 @@ namespace etendue::guiding {
 namespace {
 
 // Cells whose centre lies slightly below the horizon contain directions above it.
-constexpr float kMargin = 0.2f;
+constexpr float kMargin = 0.35f;
 
 using Directions = Vec3Lanes<kCells>;
 
@@ -58,10 +58,8 @@ void CosineProduct::set(const DirectionalDistribution& distribution, const Vec3&
 Vec2 CosineProduct::sample(Vec2 u) const {
   std::array<float, kCells> masses;
   for (size_t i = 0; i < kCells; ++i) masses[i] = cosines_[i] * distribution_->cell_probabilities()[i];
-  const auto middle = sums_of_quarters(masses);
-  const auto coarse = sums_of_quarters(middle);
+  const auto coarse = sums_of_quarters(masses);
   size_t cell = select_quarter(coarse.data(), u);
-  cell = 4 * cell + select_quarter(&middle[4 * cell], u);
   cell = 4 * cell + select_quarter(&masses[4 * cell], u);
   return distribution_->sample_in_cell(cell, u);
 }

@@ -1,6 +1,7 @@
-// The product of a distribution of directions and the cosine at a surface.        [Herholz et al. 2016; Clarberg et al. 2005]
+// The product of a distribution of directions and the cosine at a surface.
+//                                                                        [Herholz et al. 2016; Clarberg et al. 2005]
 //
-// The cosine is a constant b_i in each of the 8 x 8 cells of the square of directions, and the density is
+// The cosine is a constant b_i in each of the 4 x 4 cells of the square of directions, and the density is
 //
 //   p(w) = p_g(w) b_i / sum over j of P_j b_j,        w in cell i,
 //

@@ -37,9 +37,9 @@ struct QuadtreeNode {
 };
 inline constexpr int kMaxQuadtreeDepth = 12;
 
-// The square is also divided into 8 x 8 equal cells, those of the third level of a full quadtree. The index of a cell
+// The square is also divided into 4 x 4 equal cells, those of the second level of a full quadtree. The index of a cell
 // consists of the quarters that lead to it, the first one in the highest bits.
-inline constexpr int kCellDepth = 3;
+inline constexpr int kCellDepth = 2;
 inline constexpr size_t kCells = size_t{1} << (2 * kCellDepth);
 // The cell that contains p, which becomes the position in that cell.
 inline size_t descend_to_cell(Vec2& p) {
@@ -98,7 +98,7 @@ class DirectionalDistribution {
   // A point for u uniform in the square.
   Vec2 sample(Vec2 u) const;
 
-  // The probabilities of the 8 x 8 cells.
+  // The probabilities of the 4 x 4 cells.
   const std::array<float, kCells>& cell_probabilities() const { return cell_probabilities_; }
   // A point in a cell, with the density of `sample` given that its point lies there.
   Vec2 sample_in_cell(size_t cell, Vec2 u) const;

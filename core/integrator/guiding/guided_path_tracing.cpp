@@ -12,6 +12,10 @@
 // fraction c. They are learned in iterations of 2, 4, 8, ... samples; each iteration is guided by the one before. Light
 // that next event estimation finds is left out of what is learned, as far as its MIS weights do so.
 //
+// With `product`, p_g is the density of the product of incident radiance and cosine (cosine_product.h)
+// [Herholz et al. 2016]. It has less noise per sample; where the BSDF is diffuse this is the whole integrand. It also
+// takes more time, and does not pay in the scenes that were measured (docs/results/integrators.md).
+//
 // Every sample is unbiased, whatever its guide is, and all samples count alike. A sample is guided by those before it
 // only. Given these its expectation is the image, so different samples are uncorrelated, although they are not
 // independent. The half-buffers are therefore uncorrelated too, and their difference measures the error, although both
@@ -72,8 +76,9 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
       "Fraction of directions that are sampled by what was learned, the others by the BSDF. 0: learned "
       "for each region"};
 
-  Toggle product{"product", "Product with cosine", true,
-                 "Guides directions by the product of radiance and cosine. Off: by the radiance alone"};
+  Toggle product{
+      "product", "Product with cosine", false,
+      "Guides directions by the product of radiance and cosine. Off: by the radiance alone, which is faster"};
 
   using IntegratorBase::at_max_depth;
 

@@ -184,9 +184,8 @@ class GuidedSampling {
   void set_product(int hit, const Region& region) {
     const scene::SurfacePoint& point = paths_.point(hit);
     const Vec3& normal = point.shading.z;
-    products_[static_cast<size_t>(hit)].set(
-        region.guide, glm::dot(normal, paths_.wo(hit)) < 0 ? -normal : normal,
-        point.material->is_opaque ? ScatteredSide::normal : ScatteredSide::both);
+    products_[static_cast<size_t>(hit)].set(region.guide, glm::dot(normal, paths_.wo(hit)) < 0 ? -normal : normal,
+                                            point.material->is_opaque ? ScatteredSide::normal : ScatteredSide::both);
   }
 
   // The density of the guide per solid angle, without the cosine.
@@ -237,8 +236,8 @@ class GuidedSampling {
   }
 
   bool sample_guide(int hit, Vec2 u, LobeSample<Color>& s, Densities& densities) const {
-    const Vec2 direction = product_ ? products_[static_cast<size_t>(hit)].sample(u)
-                                    : regions_[static_cast<size_t>(hit)]->guide.sample(u);
+    const Vec2 direction =
+        product_ ? products_[static_cast<size_t>(hit)].sample(u) : regions_[static_cast<size_t>(hit)]->guide.sample(u);
     s.wi = square_to_sphere(direction);
     const auto scattered = paths_.bsdf(hit).evaluate(paths_.wo(hit), s.wi);
     if (is_black(scattered.f_cos)) return false;
