@@ -20,6 +20,7 @@
   ENTRY(pure_light_tracing)        \
   ENTRY(light_tracing)             \
   ENTRY(bdpt)                      \
+  ENTRY(guided_bdpt)               \
   ENTRY(vcm)                       \
   ENTRY(mlt)                       \
   ENTRY(pssmlt)                    \

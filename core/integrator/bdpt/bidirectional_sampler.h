@@ -1,7 +1,11 @@
 // Bidirectional samples of a block of pixels: traces both subpaths and connects their vertices.
 //                                                                       [Lang, sec. 9.3, eq. 9.78-9.110, corrected]
 #pragma once
+#include <limits>
+
 #include "integrator/bdpt/bidirectional_subpaths.h"
+#include "integrator/guiding/guide_training.h"
+#include "integrator/guiding/guided_sampling.h"
 #include "integrator/pssmlt/primary_sample_paths.h"
 
 namespace etendue::integrator {
@@ -14,12 +18,14 @@ class BidirectionalSampler {
   using Start = typename LightSubpaths<M>::Start;
   static constexpr int kWidth = BidirectionalSubpaths<M>::kWidth, kHeight = BidirectionalSubpaths<M>::kHeight;
 
+  // `guided`: camera subpaths are guided, and recorded; not in scattering media.
   std::optional<uint64_t> sample(const RenderContext& context, const BidirectionalOptions& options,
-                                 const PixelBlock& block, std::span<Rgb> radiance, const TaskContext& task_context) {
+                                 const PixelBlock& block, std::span<Rgb> radiance, const TaskContext& task_context,
+                                 const guiding::GuidedBlock* guided = nullptr) {
     context_ = &context;
     options_ = &options;
     const float pixels = static_cast<float>(context.width) * static_cast<float>(context.height);
-    subpaths_.begin(context, options, {}, pixels);
+    subpaths_.begin(context, options, {}, pixels, guided ? &guided->guide : nullptr);
     const PixelOrder order(block);
     Splatter splatter(context, task_context, 1 / pixels);
     if (!options.reuse) subpaths_.sample_techniques(block, order);
@@ -32,7 +38,12 @@ class BidirectionalSampler {
     if (subpaths_.light.cancelled()) return {};
     // Both subpaths of a sample have the same time.
     launch_camera_paths(context, block, order, task_context, subpaths_.camera, light_starts_.times());
-    trace_camera_subpaths();
+    if constexpr (M::kScattering)
+      trace_camera_subpaths();
+    else if (guided)
+      trace_guided_subpaths(*guided);
+    else
+      trace_camera_subpaths();
     const auto rays = collect(subpaths_.camera, order, radiance);
     if (!rays) return {};
     return *rays + subpaths_.light.rays_traced() + connection_rays_ + splatter.finish();
@@ -155,12 +166,15 @@ class BidirectionalSampler {
     transport::TechniqueWeight light_sample(int path) const { return subpaths->medium_technique(path, 1); }
   };
 
-  // Traces the launched subpaths.
-  void trace_camera_subpaths() {
+  // Traces the launched subpaths. begin_segment() is called when they have been traced to their next vertices;
+  // scatter() samples the directions of the current hits.
+  template <class BeginSegment, class Scatter>
+  void trace_camera_subpaths(BeginSegment&& begin_segment, Scatter&& scatter) {
     connection_rays_ = 0;
     subpaths_.start_camera();
     transport::MediumLight<M, MediumTechniques> media(subpaths_.camera, options_->heuristic, {&subpaths_});
     while (subpaths_.camera.trace()) {
+      begin_segment();
       media.add_emission_of_misses();
       transport::add_environment_weighted(subpaths_.camera, [&](int i) { return subpaths_.environment_weight(i); });
       while (subpaths_.camera.next_hits()) {
@@ -179,13 +193,40 @@ class BidirectionalSampler {
         media.add_light_samples();
         connect_vertices();
         if (options_->merges) merge_vertices();
-        transport::sample_bsdf_where(
-            subpaths_.camera, options_->roulette_start, TransportMode::radiance,
-            [&](int i) { return subpaths_.continues_from_camera(i); },
-            [&](int i, const auto& s) { subpaths_.scatter_camera(i, s); });
+        scatter();
       }
     }
     trace_connections();
+  }
+
+  void trace_camera_subpaths() {
+    trace_camera_subpaths([] {},
+                          [&] {
+                            transport::sample_bsdf_where(
+                                subpaths_.camera, options_->roulette_start, TransportMode::radiance,
+                                [&](int i) { return subpaths_.continues_from_camera(i); },
+                                [&](int i, const auto& s) { subpaths_.scatter_camera(i, s); });
+                          });
+  }
+
+  // The weights of all techniques contain the density of guided directions, which must be the same at all vertices of a
+  // path. So all vertices are guided, not only the first ones.
+  void trace_guided_subpaths(const guiding::GuidedBlock& block) {
+    constexpr guiding::GuidingOptions kAllVertices{.vertices = std::numeric_limits<int>::max()};
+    guiding::GuidedSampling<M> guided(subpaths_.camera, block.guide, records_, kAllVertices);
+    records_.begin(block.recorded_share);
+    trace_camera_subpaths(
+        [&] {
+          // The connections of the last vertices belong to these vertices, as their light samples do.
+          trace_connections();
+          records_.separate_direct_light(subpaths_.camera);
+        },
+        [&] {
+          guided.begin_hits();
+          guided.sample_directions(options_->roulette_start,
+                                   [&](int i, const auto& s) { subpaths_.scatter_camera(i, s); });
+        });
+    records_.collect(subpaths_.camera, block.guide, [&](const guiding::Record& r) { block.records.push_back(r); });
   }
 
   // Connects every light vertex to the current camera vertices.
@@ -212,7 +253,8 @@ class BidirectionalSampler {
     const auto at_y = y.bsdf.evaluate(y.wo, -wi, TransportMode::importance);
     if (is_black(at_y.f_cos)) return;
     const float to_area = sqr(over_distance);
-    const auto weight = subpaths_.connection_weight(i, y, wi, at_z.pdf * subpaths_.cosine(y.point, wi) * to_area,
+    const float pdf_at_z = subpaths_.camera_pdf(i, wi, at_z.pdf);
+    const auto weight = subpaths_.connection_weight(i, y, wi, pdf_at_z * subpaths_.cosine(y.point, wi) * to_area,
                                                     at_y.pdf * subpaths_.cosine(z, wi) * to_area);
     const float w = transport::known_factor(weight);
     if (w == 0) return;
@@ -294,6 +336,7 @@ class BidirectionalSampler {
   BidirectionalSubpaths<M> subpaths_;
   LightSubpaths<M> light_starts_;
   transport::Connections<Connection> connections_;
+  guiding::PathRecords<M> records_;  // of guided subpaths
   uint64_t connection_rays_ = 0;
   std::vector<Color> camera_shares_, camera_shares_after_, light_shares_after_;
 };
@@ -309,7 +352,8 @@ BidirectionalSampler<M>& thread_sampler() {
 template <class M>
 std::optional<uint64_t> sample_in_pieces(const RenderContext& context, const BidirectionalOptions& options,
                                          const PixelBlock& block, std::span<Rgb> radiance,
-                                         const TaskContext& task_context) {
+                                         const TaskContext& task_context,
+                                         const guiding::GuidedBlock* guided = nullptr) {
   using BlockSampler = BidirectionalSampler<M>;
   std::array<Rgb, size_t{BlockSampler::kWidth} * BlockSampler::kHeight> part;
   uint64_t rays = 0;
@@ -317,7 +361,7 @@ std::optional<uint64_t> sample_in_pieces(const RenderContext& context, const Bid
     for (int left = 0; left < block.width; left += BlockSampler::kWidth) {
       const PixelBlock piece{block.x + left, block.y + top, std::min(BlockSampler::kWidth, block.width - left),
                              std::min(BlockSampler::kHeight, block.height - top), block.sample};
-      const auto traced = thread_sampler<M>().sample(context, options, piece, part, task_context);
+      const auto traced = thread_sampler<M>().sample(context, options, piece, part, task_context, guided);
       if (!traced) return {};
       rays += *traced;
       const Rgb* next = part.data();

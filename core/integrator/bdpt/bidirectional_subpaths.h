@@ -52,13 +52,17 @@ class BidirectionalSubpaths {
 
   PathWavefront light, camera;
 
-  // `techniques` are the only techniques of each path; empty: all. `pixels` is the area of the image in pixels.
+  // `techniques` are the only techniques of each path; empty: all. `pixels` is the area of the image in pixels. `guide`
+  // guides the directions of camera subpaths; null: none.
   void begin(const RenderContext& context, const BidirectionalOptions& options, std::span<const Technique> techniques,
-             float pixels) {
+             float pixels, const guiding::RadianceGuide* guide = nullptr) {
     context_ = &context;
     options_ = &options;
     techniques_ = techniques;
     pixels_ = pixels;
+    guide_ = guide;
+    light_guided_.fill({});
+    camera_guided_.fill({});
     merge_density_ = options.merges ? options.merges->density() : 0;
     chooses_by_receiver_ = options.lights.learned || lights().uses_normals(options.lights);
   }
@@ -128,19 +132,27 @@ class BidirectionalSubpaths {
   // Computes the MIS quantities of the current hits.
   void add_light_hits() {
     add_hits(light, light_chains_, light_vertices_, light_rule());
+    find_guided_densities(light, light_guided_);
     if (chooses_by_receiver_ && light.length() == 1) weigh_light_samples_of_light_hits();
   }
   void add_camera_hits() {
     if (camera.length() == 1) set_lens_directions();
     add_hits(camera, camera_chains_, camera_vertices_, camera_rule());
+    find_guided_densities(camera, camera_guided_);
     if (!options_->excluded.empty()) store_camera_vertices();
   }
   // Continues from the current hit i by a BSDF sample.
   void scatter_light(int i, const LobeSample<Color>& s) {
-    scatter(light, light_chains_, light_vertices_, light_rule(), i, s);
+    const float reverse_pdf = s.delta ? 0 : guided_pdf(light, light_guided_, i, s.wi, light.wo(i));
+    scatter(light, light_chains_, light_vertices_, light_rule(), i, s, reverse_pdf);
   }
   void scatter_camera(int i, const LobeSample<Color>& s) {
-    scatter(camera, camera_chains_, camera_vertices_, camera_rule(), i, s);
+    const float reverse_pdf = s.delta ? 0 : camera.bsdf(i).pdf(s.wi, camera.wo(i));
+    scatter(camera, camera_chains_, camera_vertices_, camera_rule(), i, s, reverse_pdf);
+  }
+  // The density with which the camera subpath continues from hit i in a direction, where the BSDF has `bsdf_pdf`.
+  float camera_pdf(int i, const Vec3& wi, float bsdf_pdf) const {
+    return camera_guided_[static_cast<size_t>(i)].pdf(wi, bsdf_pdf);
   }
 
   // Stores the current light vertices for connections.
@@ -160,6 +172,7 @@ class BidirectionalSubpaths {
       v.bsdf.rebind(v.point.shading, v.point.ng);
       v.flux = light.state(path).throughput * starts.flux(path);
       v.mis = light_vertices_[static_cast<size_t>(i)];
+      v.guided = light_guided_[static_cast<size_t>(i)];
       v.length = light.length();
       v.previous = last;
       if constexpr (M::kClasses) light.shares().copy(path, v.shares);
@@ -211,7 +224,8 @@ class BidirectionalSubpaths {
     const Vec3& wo = light.wo(i);
     const float lights =
         light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_light_vertex_[static_cast<size_t>(path)],
-                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1, can_merge(point, bsdf));
+                  view.importance * cosine(point, view.wi) / pixels_, guided_pdf(light, light_guided_, i, view.wi, wo),
+                  1, can_merge(point, bsdf));
     float lens = 0;
     if (context_->camera->can_be_hit() && is_enabled(s + 1, 0)) {
       const float distance = view.distance, c = context_->camera->cosine(-view.wi, light.state_at(i).time);
@@ -268,7 +282,8 @@ class BidirectionalSubpaths {
     const scene::SurfacePoint& point = camera.point(i);
     const float cos_point = cosine(point, sample.wi);
     const EmissionDensity d = context_->scene->lights().emission_density(sample, camera.state_at(i).time);
-    const float hits = sample.delta || !is_enabled(0, t + 1) ? 0.0f : light_rule().ratio(pdf / sample.pdf);
+    const float hits =
+        sample.delta || !is_enabled(0, t + 1) ? 0.0f : light_rule().ratio(camera_pdf(i, sample.wi, pdf) / sample.pdf);
     const float reverse_pdf = d.second * (d.infinite ? cos_point : cos_point / sqr(sample.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, reverse_pdf,
                                      camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1, can_merge(point, camera.bsdf(i)));
@@ -279,8 +294,8 @@ class BidirectionalSubpaths {
   // of i as sampled from y, per area; `wi` is the direction from i to y.
   Weight connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
     const int s = y.length + 1, t = camera.length() + 1, path = camera.path_at(i);
-    const float lights =
-        light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t, can_merge(y.point, y.bsdf));
+    const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.guided.pdf(y.wo, y.bsdf.pdf(-wi, y.wo)), t,
+                                   can_merge(y.point, y.bsdf));
     const float cameras =
         camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, density_at_z,
                    camera.bsdf(i).pdf(wi, camera.wo(i)), s, can_merge(camera.point(i), camera.bsdf(i)));
@@ -319,6 +334,20 @@ class BidirectionalSubpaths {
   template <class T>
   using PerPath = std::array<T, kPaths>;
   using PerHit = std::array<MisVertex, kHitsAtATime>;
+  using GuidedPerHit = std::array<guiding::GuidedDensity, kHitsAtATime>;
+
+  // ---- Guided directions of camera subpaths.
+
+  void find_guided_densities(const PathWavefront& paths, GuidedPerHit& guided) const {
+    if (!guide_) return;
+    for (int i = 0; i < paths.hit_count(); ++i)
+      guided[static_cast<size_t>(i)] = {*guide_, paths.point(i).position, paths.bsdf(i).has_non_delta_lobe()};
+  }
+  // The density with which a camera subpath that arrives at hit i from `wo` continues to `wi`.
+  static float guided_pdf(const PathWavefront& paths, const GuidedPerHit& guided, int i, const Vec3& wo,
+                          const Vec3& wi) {
+    return guided[static_cast<size_t>(i)].pdf(wi, paths.bsdf(i).pdf(wo, wi));
+  }
 
   // ---- The choice of the light by light samples (s = 1), relative to that by light subpaths: r in mis_chain.h.
 
@@ -388,12 +417,14 @@ class BidirectionalSubpaths {
     }
   }
 
+  // `reverse_pdf` is the density of the direction to the previous vertex, as sampled from the other side; not used for
+  // deltas.
   void scatter(PathWavefront& paths, PerPath<MisChain>& chains, const PerHit& vertices, const MisRule& rule, int i,
-               const LobeSample<Color>& s) const {
+               const LobeSample<Color>& s, float reverse_pdf) const {
     const float cos_o = cosine(paths.point(i), paths.wo(i)), cos_i = cosine(paths.point(i), s.wi);
     MisChain& chain = chains[static_cast<size_t>(paths.path_at(i))];
-    chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : paths.bsdf(i).pdf(s.wi, paths.wo(i)),
-                  s.delta, can_merge(paths.point(i), paths.bsdf(i)));
+    chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : reverse_pdf, s.delta,
+                  can_merge(paths.point(i), paths.bsdf(i)));
     chain.sample_direction(s.delta ? cos_i : s.pdf_solid_angle, cos_i);
   }
 
@@ -454,6 +485,7 @@ class BidirectionalSubpaths {
   std::array<Technique, kPaths> sampled_techniques_;  // without reuse
   PerPath<float> inverse_probability_;                // of the sampled technique
   float pixels_ = 1;                                  // area of the image in pixels
+  const guiding::RadianceGuide* guide_ = nullptr;     // null: directions are not guided
   float merge_density_ = 0;                           // 0 if vertices are not merged
   bool chooses_by_receiver_ = false;                  // the choice of light samples depends on the receiver
   PerPath<uint32_t> start_lights_;                    // of the light subpaths
@@ -461,6 +493,7 @@ class BidirectionalSubpaths {
   PerPath<const Vertex*> last_light_vertex_;
   PerPath<MisChain> light_chains_, camera_chains_;
   PerHit light_vertices_, camera_vertices_;         // of the current hits
+  GuidedPerHit light_guided_, camera_guided_;       // of the current hits
   std::vector<PerPath<MisVertex>> camera_history_;  // camera vertices by length, if techniques are excluded
 };
 

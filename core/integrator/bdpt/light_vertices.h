@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "integrator/guiding/guided_density.h"
 #include "scene/compiled_scene.h"
 #include "transport/mis/mis_chain.h"
 #include "transport/path_expression/class_shares.h"
@@ -18,8 +19,9 @@ struct LightVertex {
   Vec3 wo;       // toward the previous vertex
   typename M::Color flux;
   transport::MisVertex mis;
-  int length;                   // edges from the light
-  const LightVertex* previous;  // null for the first
+  guiding::GuidedDensity guided;  // of camera subpaths that continue here
+  int length;                     // edges from the light
+  const LightVertex* previous;    // null for the first
   // Shares of the path classes, in a model with classes.
   using Shares = std::conditional_t<M::kClasses, std::vector<typename M::Color>, NoShares>;
   [[no_unique_address]] Shares shares;

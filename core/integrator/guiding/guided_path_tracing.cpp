@@ -31,10 +31,7 @@
 //   Limitations   The first samples are those of path tracing. Each vertex costs up to twice the time of path tracing,
 //                 which does not pay where light sampling finds most light. Point lights behind glass are never found.
 //                 Scattering media and wavelengths are not supported.
-#include <algorithm>
-#include <cmath>
-
-#include "integrator/guiding/block_records.h"
+#include "integrator/guiding/guide_training.h"
 #include "integrator/guiding/guided_sampling.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
@@ -89,59 +86,20 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
 
 namespace {
 
-using guiding::BlockRecords;
-using guiding::RadianceGuide;
-
-// Regions with more than c sqrt(n) records in an iteration of n samples are divided [Müller et al. 2017]. Of iterations
-// longer than kFullyRecorded samples, random subsets of the paths are recorded, so that the number of records grows as
-// sqrt(n), and the bound stays.
-constexpr double kMostRecordsOfARegion = 4000;
-constexpr uint32_t kFullyRecorded = 8;
-// Of larger images, a random subset of about this many paths of each sample is recorded.
-constexpr double kMostRecordedPaths = 1 << 20;
-constexpr uint32_t kFirstIteration = 2;  // samples
-// The guided fraction until it is learned. It is small, because the weights of a path whose guide is poor have a variance
-// that grows exponentially with its length.
-constexpr float kFirstFraction = 0.25f;
-
-RadianceGuide initial_guide(const GuidedPathTracing& integrator, const scene::CompiledScene& scene) {
-  const auto& bounds = scene.bounds();
-  const Vec3 size = bounds.empty() ? Vec3(0) : bounds.max - bounds.min;
-  const bool learns_fraction = integrator.fraction == 0;
-  return {bounds.empty() ? Vec3(0) : bounds.min, size, learns_fraction,
-          learns_fraction ? kFirstFraction : float{integrator.fraction}};
-}
-
 class GuidedState final : public RenderState {
  public:
   GuidedState(const GuidedPathTracing& integrator, const RenderContext& context)
       : integrator_(integrator),
         context_(context),
         learned_(learn_light_choice(context, light_sampling(), integrator.max_depth)),
-        columns_((context.width + PixelBlock::kWidth - 1) / PixelBlock::kWidth),
-        blocks_(static_cast<size_t>(columns_ * ((context.height + PixelBlock::kHeight - 1) / PixelBlock::kHeight))),
-        progress_{initial_guide(integrator, *context.scene)} {}
+        training_(context, integrator.fraction) {}
 
-  // The records of the sample before are added first.
-  std::vector<Phase> phases(uint32_t sample) override {
-    learns_ = recorded_sample_ != sample && recorded_sample_ != kNoSample;
-    if (!learns_) recorded_sample_ = sample;
-    sample_ = sample;
-    added_.fill(false);
-    if (!learns_) return {};
-    return {{"learning the incident radiance", BlockRecords::kGroups}};
-  }
+  std::vector<Phase> phases(uint32_t sample) override { return training_.phases(sample); }
   std::optional<uint64_t> run(uint32_t, size_t, int task, const TaskContext&) override {
-    for (const BlockRecords& block : blocks_) block.add_to(progress_.guide, task);
-    added_[static_cast<size_t>(task)] = true;
+    training_.run(task);
     return 0;
   }
-  void finish(uint32_t sample, size_t) override {
-    end_sample(progress_);
-    for (BlockRecords& block : blocks_) block.clear();
-    recorded_sample_ = sample;
-    learns_ = false;
-  }
+  void finish(uint32_t sample, size_t) override { training_.finish(sample); }
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
@@ -149,89 +107,12 @@ class GuidedState final : public RenderState {
                                  [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
-  size_t memory() const override {
-    size_t bytes = progress_.guide.memory();
-    for (const BlockRecords& block : blocks_) bytes += block.memory();
-    return bytes;
-  }
-  std::vector<Statistic> statistics() const override {
-    return {{"regions", static_cast<double>(progress_.guide.region_count()), "",
-             "Regions of space with a distribution of directions of their own"}};
-  }
-
-  // What was learned, and the records of the blocks of the sample that has begun.
-  std::vector<std::byte> state(uint32_t) const override {
-    StateWriter out;
-    out.value(kLayout);
-    if (learns_) {
-      Progress progress = progress_;
-      for (int group = 0; group < BlockRecords::kGroups; ++group)
-        if (!added_[static_cast<size_t>(group)])
-          for (const BlockRecords& block : blocks_) block.add_to(progress.guide, group);
-      end_sample(progress);
-      write(out, progress, sample_, {});
-    } else {
-      write(out, progress_, recorded_sample_, blocks_);
-    }
-    return out.take();
-  }
-  bool restore(std::span<const std::byte> state) override {
-    StateReader in(state);
-    Progress progress = progress_;
-    uint64_t layout = 0, count = 0;
-    uint32_t recorded = 0;
-    if (!in.value(layout) || layout != kLayout || !in.value(progress.learned) || !in.value(progress.iteration) ||
-        !progress.guide.read(in) || !in.value(recorded) || !in.value(count) || (count != 0 && count != blocks_.size()))
-      return false;
-    std::vector<std::vector<guiding::Record>> records(count);
-    for (auto& list : records)
-      if (!in.list(list) || std::ranges::any_of(list, [&](const guiding::Record& r) {
-            return r.region >= progress.guide.region_count();
-          }))
-        return false;
-    if (!in.at_end()) return false;
-    progress_ = std::move(progress);
-    recorded_sample_ = recorded;
-    for (size_t i = 0; i < count; ++i) blocks_[i].assign(records[i]);
-    return true;
-  }
+  size_t memory() const override { return training_.memory(); }
+  std::vector<Statistic> statistics() const override { return training_.statistics(); }
+  std::vector<std::byte> state(uint32_t) const override { return training_.state(); }
+  bool restore(std::span<const std::byte> state) override { return training_.restore(state); }
 
  private:
-  static constexpr uint64_t kLayout = 0x3145444955474345;  // "ECGUIDE1"
-  static constexpr uint32_t kNoSample = UINT32_MAX;
-
-  struct Progress {
-    RadianceGuide guide;
-    uint32_t learned = 0;                  // samples of this iteration
-    uint32_t iteration = kFirstIteration;  // length of this iteration
-  };
-
-  // All records of a sample have been added.
-  static void end_sample(Progress& progress) {
-    if (++progress.learned < progress.iteration) return;
-    progress.guide.end_iteration(static_cast<uint64_t>(
-        kMostRecordsOfARegion * std::sqrt(static_cast<double>(std::min(progress.iteration, kFullyRecorded)))));
-    progress.learned = 0;
-    progress.iteration *= 2;
-  }
-
-  static void write(StateWriter& out, const Progress& progress, uint32_t recorded,
-                    std::span<const BlockRecords> blocks) {
-    out.value(progress.learned);
-    out.value(progress.iteration);
-    progress.guide.write(out);
-    out.value(recorded);
-    out.value<uint64_t>(blocks.size());
-    for (const BlockRecords& block : blocks) out.list(std::span(block.records()));
-  }
-
-  // The fraction of paths that are recorded.
-  float recorded_share() const {
-    const double of_pixels = kMostRecordedPaths / (static_cast<double>(context_.width) * context_.height);
-    const double of_samples = std::sqrt(static_cast<double>(kFullyRecorded) / progress_.iteration);
-    return static_cast<float>(std::min(of_pixels, 1.0) * std::min(of_samples, 1.0));
-  }
-
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
                                       const TaskContext& task_context) {
@@ -239,21 +120,15 @@ class GuidedState final : public RenderState {
     static thread_local guiding::PathRecords<M> path_records;
     const PixelOrder order(block);
     launch_camera_paths(context_, block, order, task_context, paths);
-    path_records.begin(recorded_share());
+    path_records.begin(training_.recorded_share());
     estimate(paths, path_records);
     const auto rays = collect(paths, order, radiance);
-    if (rays) keep_records(block, paths, path_records);
-    return rays;
-  }
-
-  template <class M>
-  void keep_records(const PixelBlock& block, transport::PathWavefront<M>& paths,
-                    const guiding::PathRecords<M>& path_records) {
+    if (!rays) return {};
     static thread_local std::vector<guiding::Record> records;
     records.clear();
-    path_records.collect(paths, progress_.guide, [](const guiding::Record& record) { records.push_back(record); });
-    blocks_[static_cast<size_t>(block.y / PixelBlock::kHeight * columns_ + block.x / PixelBlock::kWidth)].assign(
-        records);
+    path_records.collect(paths, training_.guide(), [](const guiding::Record& record) { records.push_back(record); });
+    training_.record(block, records);
+    return rays;
   }
 
   template <class M>
@@ -261,7 +136,7 @@ class GuidedState final : public RenderState {
     using namespace transport;
     constexpr MisHeuristic kHeuristic = MisHeuristic::power;
     const auto sampling = light_sampling().with(learned_.get());
-    guiding::GuidedSampling<M> guided(paths, progress_.guide, records, integrator_.product);
+    guiding::GuidedSampling<M> guided(paths, training_.guide(), records, {.product = integrator_.product});
     while (paths.trace()) {
       records.separate_direct_light(paths);
       add_environment(paths, kHeuristic, sampling);
@@ -280,12 +155,7 @@ class GuidedState final : public RenderState {
   const GuidedPathTracing& integrator_;
   const RenderContext context_;
   const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
-  const int columns_;
-  std::vector<BlockRecords> blocks_;  // of the recorded sample
-  Progress progress_;
-  uint32_t recorded_sample_ = kNoSample, sample_ = kNoSample;
-  bool learns_ = false;                              // the phase of `sample_` has not ended
-  std::array<bool, BlockRecords::kGroups> added_{};  // by task of the phase
+  guiding::GuideTraining training_;
 };
 
 }  // namespace

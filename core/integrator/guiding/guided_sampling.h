@@ -81,15 +81,20 @@ class PathRecords {
   std::array<float, transport::PathWavefront<M>::kCapacity> expected_{};
 };
 
+struct GuidingOptions {
+  bool product = false;            // directions are guided by the product of radiance and cosine
+  int vertices = kGuidedVertices;  // the first vertices of a path, which are guided
+};
+
 // The guide at the current hits of a wavefront.
 template <class M>
 class GuidedSampling {
  public:
   using Color = typename M::Color;
 
-  // `product`: directions are guided by the product of radiance and cosine.
-  GuidedSampling(transport::PathWavefront<M>& paths, const RadianceGuide& guide, PathRecords<M>& records, bool product)
-      : paths_(paths), guide_(guide), records_(records), product_(product) {}
+  GuidedSampling(transport::PathWavefront<M>& paths, const RadianceGuide& guide, PathRecords<M>& records,
+                 const GuidingOptions& options = {})
+      : paths_(paths), guide_(guide), records_(records), options_(options) {}
 
   void begin_hits() {
     for (int i = 0; i < paths_.hit_count(); ++i) {
@@ -98,9 +103,9 @@ class GuidedSampling {
       const Region& region = guide_.region(indices_[hit]);
       regions_[hit] = &region;
       const bool is_guided =
-          paths_.length() <= kGuidedVertices && region.is_ready() && paths_.bsdf(i).has_non_delta_lobe();
+          paths_.length() <= options_.vertices && region.is_ready() && paths_.bsdf(i).has_non_delta_lobe();
       fractions_[hit] = is_guided ? region.fraction : 0;
-      if (is_guided && product_) set_product(i, region);
+      if (is_guided && options_.product) set_product(i, region);
     }
   }
 
@@ -125,8 +130,10 @@ class GuidedSampling {
     paths_.select_rng_stream(0);
   }
 
-  // Samples the next direction of every current path, as transport::sample_bsdf does.
-  void sample_directions(int roulette_start) {
+  // Samples the next direction of every current path, as transport::sample_bsdf does. sampled(i, s) is called for every
+  // path that continues.
+  template <class Sampled>
+  void sample_directions(int roulette_start, Sampled&& sampled) {
     using namespace transport;
     const bool roulette = paths_.length() >= roulette_start;
     paths_.draw_lobes();
@@ -143,8 +150,12 @@ class GuidedSampling {
       if (roulette && !survives(i, s, survival, roulette_start)) continue;
       record_scattering(path, paths_.receiver(i), s);
       if (!s.delta && paths_.length() <= kGuidedVertices) record(i, s, densities);
+      sampled(i, s);
       paths_.continue_path(i, s.wi);
     }
+  }
+  void sample_directions(int roulette_start) {
+    sample_directions(roulette_start, [](int, const auto&) {});
   }
 
  private:
@@ -193,7 +204,7 @@ class GuidedSampling {
     return regions_[static_cast<size_t>(hit)]->guide.pdf(direction) * (0.25f * kInvPi);
   }
   float cosine_factor(int hit, Vec2 direction) const {
-    return product_ ? products_[static_cast<size_t>(hit)].factor(direction) : 1;
+    return options_.product ? products_[static_cast<size_t>(hit)].factor(direction) : 1;
   }
   // Sets the densities of a guided hit where the BSDF has `bsdf_pdf`.
   void set_densities(int hit, Vec2 direction, float bsdf_pdf, Densities& densities) const {
@@ -236,8 +247,8 @@ class GuidedSampling {
   }
 
   bool sample_guide(int hit, Vec2 u, LobeSample<Color>& s, Densities& densities) const {
-    const Vec2 direction =
-        product_ ? products_[static_cast<size_t>(hit)].sample(u) : regions_[static_cast<size_t>(hit)]->guide.sample(u);
+    const Vec2 direction = options_.product ? products_[static_cast<size_t>(hit)].sample(u)
+                                            : regions_[static_cast<size_t>(hit)]->guide.sample(u);
     s.wi = square_to_sphere(direction);
     const auto scattered = paths_.bsdf(hit).evaluate(paths_.wo(hit), s.wi);
     if (is_black(scattered.f_cos)) return false;
@@ -270,7 +281,7 @@ class GuidedSampling {
   transport::PathWavefront<M>& paths_;
   const RadianceGuide& guide_;
   PathRecords<M>& records_;
-  const bool product_;
+  const GuidingOptions options_;
   std::array<CosineProduct, transport::PathWavefront<M>::kHitsAtATime> products_;  // of guided hits
   std::array<uint32_t, transport::PathWavefront<M>::kHitsAtATime> indices_{};
   std::array<const Region*, transport::PathWavefront<M>::kHitsAtATime> regions_{};

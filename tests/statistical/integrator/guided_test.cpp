@@ -1,4 +1,4 @@
-// Guided path tracing: what it learns reduces the variance, a resumed render continues to the same bits, and images do
+// Guided path tracing and guided bidirectional path tracing: what they learn reduces the variance, a resumed render continues to the same bits, and images do
 // not depend on the number of threads. That it is unbiased follows from the tests over all integrators (Pairwise, Furnace),
 // from the closed form of the integrating sphere (IntegratingSphere.GuidedPathTracing), and after many iterations from
 // the comparison below.
@@ -29,6 +29,20 @@ TEST(GuidedPathTracing, AgreesWithPathTracingAfterManyIterations) {
   }
 }
 
+TEST(GuidedPathTracing, AgreesWithPathTracingWhenGuidedByProducts) {
+  const Document d = builtin("glossy-plates", 24);
+  const Document guided = with(with_integrator(d, "path-guided"), "product", "on");
+  test::expect_same_mean(with_integrator(d, "path"), 256, guided, 256, "glossy-plates", 1);
+}
+
+// The MIS weights of all techniques depend on the guide. In the last scene most directions are guided.
+TEST(GuidedBdpt, AgreesWithBdptAfterManyIterations) {
+  for (const char* scene : {"cornell-spheres", "glossy-plates", "spot-indirect"}) {
+    const Document d = builtin(scene, 24);
+    test::expect_same_mean(with_integrator(d, "bdpt"), 256, with_integrator(d, "bdpt-guided"), 254, scene, 3);
+  }
+}
+
 // The relative variance of pixels, from the difference of two renders. One bright patch lights the room, which paths find
 // by chance unless they have learned where it is.
 TEST(GuidedPathTracing, LearnsWhereLightComesFrom) {
@@ -48,15 +62,20 @@ TEST(GuidedPathTracing, LearnsWhereLightComesFrom) {
   EXPECT_LT(variance("path-guided"), 0.5 * variance("path"));
 }
 
-TEST(GuidedPathTracing, ResumesToTheSameBits) {
-  test::expect_same_bits_after_resume(with_integrator(builtin("cornell-spheres", 40), "path-guided"), "path-guided");
+class GuidedIntegrators : public testing::TestWithParam<const char*> {};
+
+TEST_P(GuidedIntegrators, ResumeToTheSameBits) {
+  test::expect_same_bits_after_resume(with_integrator(builtin("cornell-spheres", 40), GetParam()), GetParam());
 }
 
-TEST(GuidedPathTracing, ThreadsDoNotMatter) {
-  const Document d = with_integrator(builtin("glossy-plates", 70), "path-guided");
+TEST_P(GuidedIntegrators, DoNotDependOnThreads) {
+  const Document d = with_integrator(builtin("glossy-plates", 70), GetParam());
   const auto one = test::rendered(d, 15, 1);
-  for (const int threads : {2, 7}) test::expect_same_bits(one, test::rendered(d, 15, threads), "path-guided");
+  for (const int threads : {2, 7}) test::expect_same_bits(one, test::rendered(d, 15, threads), GetParam());
 }
+
+INSTANTIATE_TEST_SUITE_P(All, GuidedIntegrators, testing::Values("path-guided", "bdpt-guided"),
+                         [](const auto& tested) { return std::string(tested.param).substr(0, 4); });
 
 }  // namespace
 }  // namespace etendue::guided_test
