@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "integrator/bdpt/bidirectional_subpaths.h"
-#include "integrator/guiding/guide_training.h"
+#include "integrator/guiding/guided_render_state.h"
 #include "integrator/guiding/guided_sampling.h"
 #include "integrator/pssmlt/primary_sample_paths.h"
 

@@ -59,13 +59,7 @@ class GuidedBdpt final : public IntegratorBase<GuidedBdpt> {
                              4,
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
-  Number<float> fraction{
-      "fraction",
-      "Guided fraction",
-      0,
-      {0, 0.95f},
-      "Fraction of directions that are sampled by what was learned, the others by the BSDF. 0: learned "
-      "for each region"};
+  Number<float> fraction{"fraction", "Guided fraction", 0, {0, 0.95f}, guiding::kFractionDoc};
 
   auto parameters() { return std::tie(max_depth, heuristic, roulette_start, fraction); }
 
@@ -74,47 +68,34 @@ class GuidedBdpt final : public IntegratorBase<GuidedBdpt> {
 
 namespace {
 
-class GuidedBdptState final : public RenderState {
+class GuidedBdptState final : public guiding::GuidedRenderState {
  public:
   GuidedBdptState(const GuidedBdpt& integrator, const RenderContext& context)
-      : context_(context),
+      : GuidedRenderState(context, integrator.fraction),
+        context_(context),
         learned_(learn_light_choice(context, LightStrategy::emission_auto, integrator.max_depth)),
         options_{.heuristic = integrator.heuristic,
                  .max_depth = integrator.max_depth,
                  .roulette_start = integrator.roulette_start,
                  .classes = class_join(*context.model),
-                 .lights = LightSampling(LightStrategy::emission_auto).with(learned_.get())},
-        training_(context, integrator.fraction) {}
-
-  std::vector<Phase> phases(uint32_t sample) override { return training_.phases(sample); }
-  std::optional<uint64_t> run(uint32_t, size_t, int task, const TaskContext&) override {
-    training_.run(task);
-    return 0;
-  }
-  void finish(uint32_t sample, size_t) override { training_.finish(sample); }
+                 .lights = LightSampling(LightStrategy::emission_auto).with(learned_.get())} {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
     static thread_local std::vector<guiding::Record> records;
     records.clear();
-    const guiding::GuidedBlock guided{training_.guide(), training_.recorded_share(), records};
+    const guiding::GuidedBlock guided{guide(), recorded_share(), records};
     const auto rays = transport::with_model(*context_.model, [&]<class M>(M) {
       return sample_in_pieces<M>(context_, options_, block, radiance, task_context, &guided);
     });
-    if (rays) training_.record(block, records);
+    if (rays) record(block, records);
     return rays;
   }
-
-  size_t memory() const override { return training_.memory(); }
-  std::vector<Statistic> statistics() const override { return training_.statistics(); }
-  std::vector<std::byte> state(uint32_t) const override { return training_.state(); }
-  bool restore(std::span<const std::byte> state) override { return training_.restore(state); }
 
  private:
   const RenderContext context_;
   const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
   const BidirectionalOptions options_;
-  guiding::GuideTraining training_;
 };
 
 }  // namespace

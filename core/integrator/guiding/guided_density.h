@@ -15,9 +15,7 @@ class GuidedDensity {
 
   // The density per solid angle of the mixture of BSDF and guide, where the BSDF has `bsdf_pdf`.
   float pdf(const Vec3& wi, float bsdf_pdf) const {
-    if (!region_) return bsdf_pdf;
-    const float guided = region_->guide.pdf(sphere_to_square(wi)) * (0.25f * kInvPi);
-    return (1 - region_->fraction) * bsdf_pdf + region_->fraction * guided;
+    return region_ ? region_->mixture(bsdf_pdf, region_->guide_pdf(sphere_to_square(wi))) : bsdf_pdf;
   }
 
  private:

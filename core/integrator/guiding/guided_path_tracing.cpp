@@ -13,8 +13,8 @@
 // that next event estimation finds is left out of what is learned, as far as its MIS weights do so.
 //
 // With `product`, p_g is the density of the product of incident radiance and cosine (cosine_product.h)
-// [Herholz et al. 2016]. It has less noise per sample; where the BSDF is diffuse this is the whole integrand. It also
-// takes more time, and does not pay in the scenes that were measured (docs/results/integrators.md).
+// [Herholz et al. 2016], which is the whole integrand where the BSDF is diffuse. Samples have less noise but take more
+// time, and do not pay in the scenes that were measured (docs/results/integrators.md).
 //
 // Every sample is unbiased, whatever its guide is, and all samples count alike. A sample is guided by those before it
 // only. Given these its expectation is the image, so different samples are uncorrelated, although they are not
@@ -31,7 +31,7 @@
 //   Limitations   The first samples are those of path tracing. Each vertex costs up to twice the time of path tracing,
 //                 which does not pay where light sampling finds most light. Point lights behind glass are never found.
 //                 Scattering media and wavelengths are not supported.
-#include "integrator/guiding/guide_training.h"
+#include "integrator/guiding/guided_render_state.h"
 #include "integrator/guiding/guided_sampling.h"
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
@@ -65,13 +65,7 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
                              2,
                              {1, 64},
                              "Path length from which paths are terminated at random. Lower is faster and noisier"};
-  Number<float> fraction{
-      "fraction",
-      "Guided fraction",
-      0,
-      {0, 0.95f},
-      "Fraction of directions that are sampled by what was learned, the others by the BSDF. 0: learned "
-      "for each region"};
+  Number<float> fraction{"fraction", "Guided fraction", 0, {0, 0.95f}, guiding::kFractionDoc};
 
   Toggle product{
       "product", "Product with cosine", false,
@@ -86,31 +80,19 @@ class GuidedPathTracing final : public IntegratorBase<GuidedPathTracing> {
 
 namespace {
 
-class GuidedState final : public RenderState {
+class GuidedState final : public guiding::GuidedRenderState {
  public:
   GuidedState(const GuidedPathTracing& integrator, const RenderContext& context)
-      : integrator_(integrator),
+      : GuidedRenderState(context, integrator.fraction),
+        integrator_(integrator),
         context_(context),
-        learned_(learn_light_choice(context, light_sampling(), integrator.max_depth)),
-        training_(context, integrator.fraction) {}
-
-  std::vector<Phase> phases(uint32_t sample) override { return training_.phases(sample); }
-  std::optional<uint64_t> run(uint32_t, size_t, int task, const TaskContext&) override {
-    training_.run(task);
-    return 0;
-  }
-  void finish(uint32_t sample, size_t) override { training_.finish(sample); }
+        learned_(learn_light_choice(context, light_sampling(), integrator.max_depth)) {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
     return transport::with_model(*context_.model,
                                  [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
-
-  size_t memory() const override { return training_.memory(); }
-  std::vector<Statistic> statistics() const override { return training_.statistics(); }
-  std::vector<std::byte> state(uint32_t) const override { return training_.state(); }
-  bool restore(std::span<const std::byte> state) override { return training_.restore(state); }
 
  private:
   template <class M>
@@ -120,14 +102,14 @@ class GuidedState final : public RenderState {
     static thread_local guiding::PathRecords<M> path_records;
     const PixelOrder order(block);
     launch_camera_paths(context_, block, order, task_context, paths);
-    path_records.begin(training_.recorded_share());
+    path_records.begin(recorded_share());
     estimate(paths, path_records);
     const auto rays = collect(paths, order, radiance);
     if (!rays) return {};
     static thread_local std::vector<guiding::Record> records;
     records.clear();
-    path_records.collect(paths, training_.guide(), [](const guiding::Record& record) { records.push_back(record); });
-    training_.record(block, records);
+    path_records.collect(paths, guide(), [](const guiding::Record& record) { records.push_back(record); });
+    record(block, records);
     return rays;
   }
 
@@ -136,7 +118,7 @@ class GuidedState final : public RenderState {
     using namespace transport;
     constexpr MisHeuristic kHeuristic = MisHeuristic::power;
     const auto sampling = light_sampling().with(learned_.get());
-    guiding::GuidedSampling<M> guided(paths, training_.guide(), records, {.product = integrator_.product});
+    guiding::GuidedSampling<M> guided(paths, guide(), records, {.product = integrator_.product});
     while (paths.trace()) {
       records.separate_direct_light(paths);
       add_environment(paths, kHeuristic, sampling);
@@ -155,7 +137,6 @@ class GuidedState final : public RenderState {
   const GuidedPathTracing& integrator_;
   const RenderContext context_;
   const std::shared_ptr<const LearnedLightChoice> learned_;  // null: nothing to learn
-  guiding::GuideTraining training_;
 };
 
 }  // namespace

@@ -25,6 +25,9 @@ inline constexpr float kRouletteScale = 20, kLeastSurvival = 0.3f, kMostSurvival
 // the light.
 inline constexpr int kGuidedVertices = 12;
 
+inline constexpr const char* kFractionDoc =
+    "Fraction of directions that are sampled by what was learned, the others by the BSDF. 0: learned for each region";
+
 // The scattering events of the paths of one wavefront. The radiance that arrives from the sampled direction is known
 // when the paths have ended.
 template <class M>
@@ -199,20 +202,16 @@ class GuidedSampling {
                                             point.material->is_opaque ? ScatteredSide::normal : ScatteredSide::both);
   }
 
-  // The density of the guide per solid angle, without the cosine.
-  float radiance_pdf(int hit, Vec2 direction) const {
-    return regions_[static_cast<size_t>(hit)]->guide.pdf(direction) * (0.25f * kInvPi);
-  }
   float cosine_factor(int hit, Vec2 direction) const {
     return options_.product ? products_[static_cast<size_t>(hit)].factor(direction) : 1;
   }
   // Sets the densities of a guided hit where the BSDF has `bsdf_pdf`.
   void set_densities(int hit, Vec2 direction, float bsdf_pdf, Densities& densities) const {
-    const float fraction = fractions_[static_cast<size_t>(hit)];
+    const Region& region = *regions_[static_cast<size_t>(hit)];
     densities.bsdf = bsdf_pdf;
-    densities.radiance = radiance_pdf(hit, direction);
+    densities.radiance = region.guide_pdf(direction);
     densities.guide = densities.radiance * cosine_factor(hit, direction);
-    densities.mixture = (1 - fraction) * bsdf_pdf + fraction * densities.guide;
+    densities.mixture = region.mixture(bsdf_pdf, densities.guide);
   }
 
   void add_light_samples(std::span<const LightSample> samples) {

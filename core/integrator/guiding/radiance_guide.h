@@ -45,6 +45,10 @@ struct Region {
   Vec3 corner{0}, size{0};  // of its box, metres
 
   bool is_ready() const { return flux > 0; }
+  // The density of the guide per solid angle.
+  float guide_pdf(Vec2 square) const { return guide.pdf(square) * (0.25f * kInvPi); }
+  // The density of the mixture of BSDF and guide.
+  float mixture(float bsdf_pdf, float guided_pdf) const { return (1 - fraction) * bsdf_pdf + fraction * guided_pdf; }
   // The number of records of equal weight that have the variance of the records.
   double effective_records() const { return squares > 0 ? radiance * radiance / squares : 0; }
   void add(const Record& record) {

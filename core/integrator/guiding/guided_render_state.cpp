@@ -1,4 +1,4 @@
-#include "integrator/guiding/guide_training.h"
+#include "integrator/guiding/guided_render_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,24 +33,24 @@ int divide_up(int size, int part) { return (size + part - 1) / part; }
 
 }  // namespace
 
-GuideTraining::GuideTraining(const integrator::RenderContext& context, float fraction)
+GuidedRenderState::GuidedRenderState(const integrator::RenderContext& context, float fraction)
     : pixels_(static_cast<double>(context.width) * context.height),
       columns_(divide_up(context.width, PixelBlock::kWidth)),
       blocks_(static_cast<size_t>(columns_ * divide_up(context.height, PixelBlock::kHeight))),
       progress_{initial_guide(*context.scene, fraction)} {}
 
-float GuideTraining::recorded_share() const {
+float GuidedRenderState::recorded_share() const {
   const double of_pixels = kMostRecordedPaths / pixels_;
   const double of_samples = std::sqrt(static_cast<double>(kFullyRecorded) / progress_.iteration);
   return static_cast<float>(std::min(of_pixels, 1.0) * std::min(of_samples, 1.0));
 }
 
-void GuideTraining::record(const PixelBlock& block, std::span<const Record> records) {
+void GuidedRenderState::record(const PixelBlock& block, std::span<const Record> records) {
   blocks_[static_cast<size_t>(block.y / PixelBlock::kHeight * columns_ + block.x / PixelBlock::kWidth)].assign(records);
 }
 
 // The records of the sample before are added first.
-std::vector<integrator::Phase> GuideTraining::phases(uint32_t sample) {
+std::vector<integrator::Phase> GuidedRenderState::phases(uint32_t sample) {
   learns_ = recorded_sample_ != sample && recorded_sample_ != kNoSample;
   if (!learns_) recorded_sample_ = sample;
   sample_ = sample;
@@ -59,31 +59,32 @@ std::vector<integrator::Phase> GuideTraining::phases(uint32_t sample) {
   return {{"learning the incident radiance", BlockRecords::kGroups}};
 }
 
-void GuideTraining::run(int task) {
+std::optional<uint64_t> GuidedRenderState::run(uint32_t, size_t, int task, const integrator::TaskContext&) {
   for (const BlockRecords& block : blocks_) block.add_to(progress_.guide, task);
   added_[static_cast<size_t>(task)] = true;
+  return 0;
 }
 
-void GuideTraining::finish(uint32_t sample) {
+void GuidedRenderState::finish(uint32_t sample, size_t) {
   end_sample(progress_);
   for (BlockRecords& block : blocks_) block.clear();
   recorded_sample_ = sample;
   learns_ = false;
 }
 
-size_t GuideTraining::memory() const {
+size_t GuidedRenderState::memory() const {
   size_t bytes = progress_.guide.memory();
   for (const BlockRecords& block : blocks_) bytes += block.memory();
   return bytes;
 }
 
-std::vector<integrator::Statistic> GuideTraining::statistics() const {
+std::vector<integrator::Statistic> GuidedRenderState::statistics() const {
   return {{"regions", static_cast<double>(progress_.guide.region_count()), "",
            "Regions of space with a distribution of directions of their own"}};
 }
 
 // What was learned, and the records of the blocks of the sample that has begun.
-std::vector<std::byte> GuideTraining::state() const {
+std::vector<std::byte> GuidedRenderState::state(uint32_t) const {
   StateWriter out;
   out.value(kLayout);
   if (learns_) {
@@ -99,7 +100,7 @@ std::vector<std::byte> GuideTraining::state() const {
   return out.take();
 }
 
-bool GuideTraining::restore(std::span<const std::byte> state) {
+bool GuidedRenderState::restore(std::span<const std::byte> state) {
   StateReader in(state);
   Progress progress = progress_;
   uint64_t layout = 0, count = 0;
@@ -120,7 +121,7 @@ bool GuideTraining::restore(std::span<const std::byte> state) {
 }
 
 // All records of a sample have been added.
-void GuideTraining::end_sample(Progress& progress) {
+void GuidedRenderState::end_sample(Progress& progress) {
   if (++progress.learned < progress.iteration) return;
   progress.guide.end_iteration(static_cast<uint64_t>(
       kMostRecordsOfARegion * std::sqrt(static_cast<double>(std::min(progress.iteration, kFullyRecorded)))));
@@ -128,8 +129,8 @@ void GuideTraining::end_sample(Progress& progress) {
   progress.iteration *= 2;
 }
 
-void GuideTraining::write(StateWriter& out, const Progress& progress, uint32_t recorded,
-                          std::span<const BlockRecords> blocks) {
+void GuidedRenderState::write(StateWriter& out, const Progress& progress, uint32_t recorded,
+                              std::span<const BlockRecords> blocks) {
   out.value(progress.learned);
   out.value(progress.iteration);
   progress.guide.write(out);

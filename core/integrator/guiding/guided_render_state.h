@@ -1,4 +1,5 @@
-// Learns a guide from the samples of an image. Holds the guide, and the records of the sample that has begun.
+// The state of renderings that learn a guide from their samples: the guide, and the records of the sample that has
+// begun.
 //
 // The guide is learned in iterations of 2, 4, 8, ... samples; each iteration is guided by the one before. The records of a
 // sample are added before the next sample begins, in an order that does not depend on threads.
@@ -21,25 +22,26 @@ struct GuidedBlock {
   std::vector<Record>& records;
 };
 
-class GuideTraining {
+// Integrators derive from it and implement sample().
+class GuidedRenderState : public integrator::RenderState {
  public:
+  std::vector<integrator::Phase> phases(uint32_t sample) override;
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const integrator::TaskContext&) override;
+  void finish(uint32_t sample, size_t phase) override;
+  size_t memory() const override;
+  std::vector<integrator::Statistic> statistics() const override;
+  std::vector<std::byte> state(uint32_t sample) const override;
+  bool restore(std::span<const std::byte> state) override;
+
+ protected:
   // `fraction` is the fraction of directions that are sampled by the guide; 0: learned for each region.
-  GuideTraining(const integrator::RenderContext& context, float fraction);
+  GuidedRenderState(const integrator::RenderContext& context, float fraction);
 
   const RadianceGuide& guide() const { return progress_.guide; }
   // The fraction of paths that are recorded.
   float recorded_share() const;
-  // The records of a block of the current sample. Blocks may be recorded at the same time.
+  // Keeps the records of a block of the current sample. Blocks may be recorded at the same time.
   void record(const integrator::PixelBlock& block, std::span<const Record> records);
-
-  // As in RenderState.
-  std::vector<integrator::Phase> phases(uint32_t sample);
-  void run(int task);
-  void finish(uint32_t sample);
-  size_t memory() const;
-  std::vector<integrator::Statistic> statistics() const;
-  std::vector<std::byte> state() const;
-  bool restore(std::span<const std::byte> state);
 
  private:
   static constexpr uint32_t kFirstIteration = 2;  // samples
