@@ -35,31 +35,14 @@ TEST(GuidedPathTracing, AgreesWithPathTracingWhenGuidedByProducts) {
   test::expect_same_mean(with_integrator(d, "path"), 256, guided, 256, "glossy-plates", 1);
 }
 
-// The MIS weights of all techniques depend on the guide. In the last scene most directions are guided.
-TEST(GuidedBdpt, AgreesWithBdptAfterManyIterations) {
-  for (const char* scene : {"cornell-spheres", "glossy-plates", "spot-indirect"}) {
-    const Document d = builtin(scene, 24);
-    test::expect_same_mean(with_integrator(d, "bdpt"), 256, with_integrator(d, "bdpt-guided"), 254, scene, 3);
+// The MIS weights of all techniques contain the density of guided directions. If most directions are guided, a density
+// that is missing in one technique makes the image too dark.
+TEST(GuidedBdpt, AgreesWithBdptWhenMostDirectionsAreGuided) {
+  const Document d = builtin("spot-indirect", 24);
+  for (const char* heuristic : {"power", "maximum"}) {
+    const Document guided = with(with(with_integrator(d, "bdpt-guided"), "fraction", "0.9"), "heuristic", heuristic);
+    test::expect_same_mean(with_integrator(d, "bdpt"), 1024, guided, 510, heuristic, 2);
   }
-}
-
-// The relative variance of pixels, from the difference of two renders. One bright patch lights the room, which paths find
-// by chance unless they have learned where it is.
-TEST(GuidedPathTracing, LearnsWhereLightComesFrom) {
-  const auto variance = [](const char* integrator) {
-    const Document d = with_integrator(builtin("spot-indirect", 48), integrator);
-    Document other = d;
-    other.seed = d.seed + 1;
-    const auto a = test::rendered(d, 254), b = test::rendered(other, 254);
-    double sum = 0;
-    for (int y = 0; y < d.height; ++y)
-      for (int x = 0; x < d.width; ++x) {
-        const double p = a.mean(x, y).g, q = b.mean(x, y).g;
-        sum += sqr((p - q) / (p + q + 1e-3));
-      }
-    return sum;
-  };
-  EXPECT_LT(variance("path-guided"), 0.5 * variance("path"));
 }
 
 class GuidedIntegrators : public testing::TestWithParam<const char*> {};
