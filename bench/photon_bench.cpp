@@ -68,11 +68,11 @@ class Rig {
     });
     const photon::PhotonMap& map = emission.map();
     constexpr size_t kLookups = 20'000;
-    std::vector<photon::Neighbour> room;
+    photon::Neighbourhood nearest;
     const double looking = seconds([&] {
       for (size_t i = 0; i < kLookups; ++i) {
         const photon::Photon& p = map[i * map.size() / kLookups];
-        map.nearest(p.position(), p.normal(), 50, kInfinity, room);
+        map.find_nearest(p.position(), p.normal(), 50, kInfinity, nearest);
       }
     });
     return {static_cast<double>(rays) / tracing, ordering, 1e6 * looking / kLookups, map.size()};

@@ -151,9 +151,13 @@ class FinalGather {
     add_nearest_photons(paths_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
     add_nearest_volume_photons(paths_, global_.view, global_.nearest, before, NeverShallow());
     const AcceptNearSpecular near_specular{split()};
-    sample_bsdf(paths_, 1, TransportMode::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
-      return is_near(i) ? AcceptAll()(paths, i, s) : near_specular(paths, i, s);
-    });
+    sample_bsdf_where(
+        paths_, 1, TransportMode::radiance,
+        [&](int i) { return is_near(i) || split().template may_have_near_specular<M>(paths_.bsdf(i)); },
+        [](int, const auto&) {},
+        [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
+          return is_near(i) ? AcceptAll()(paths, i, s) : near_specular(paths, i, s);
+        });
   }
 
   MapLookup global_, caustics_;

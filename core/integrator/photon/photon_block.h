@@ -40,17 +40,35 @@ static_assert(sizeof(PhotonBlock) == 32 * PhotonBlock::kSize);
 using BlockDistances = std::array<float, PhotonBlock::kSize>;
 
 // The squared distances of the photons of a block to a point.
-void find_distances(const PhotonBlock& block, const Vec3& position, BlockDistances& distances2);
-// The same, but infinite for photons that cannot lie on the same surface as the point: its normal is less than 60
-// degrees away, and it is less than 30 degrees above or below the tangent plane. This excludes photons beyond edges and
-// on the other side of thin walls. On curved surfaces the criterion becomes exact as the disc shrinks.
-void find_distances_on_surface(const PhotonBlock& block, const Vec3& position, const Vec3& normal,
-                               BlockDistances& distances2);
+inline void find_distances(const PhotonBlock& block, const Vec3& position, BlockDistances& distances2) {
+#pragma GCC ivdep
+  for (size_t i = 0; i < PhotonBlock::kSize; ++i)
+    distances2[i] = sqr(block.x[i] - position.x) + sqr(block.y[i] - position.y) + sqr(block.z[i] - position.z);
+}
 
-// Selects the photons within a radius on the same surface that a Lambertian surface reflects to one of its sides.
-struct LambertianLookup {
-  Vec3 position, normal;
-  float radius2 = 0;
+// The squared distance of a photon to a point, infinite if it cannot lie on the same surface as the point: its normal is
+// less than 60 degrees away, and it is less than 30 degrees above or below the tangent plane. This excludes photons beyond
+// edges and on the other side of thin walls. On curved surfaces the criterion becomes exact as the disc shrinks.
+//
+// Bitwise operations, because branches would keep loops from being vectorised.
+inline float distance2_on_surface(const PhotonBlock& block, size_t i, const Vec3& position, const Vec3& normal) {
+  const Vec3 d(block.x[i] - position.x, block.y[i] - position.y, block.z[i] - position.z);
+  const float distance2 = glm::dot(d, d);
+  const Vec3 n = unfold_direction(block.normals[i], Photon::kNormalBits);
+  const float cosine = glm::dot(n, normal);
+  const bool is_level = sqr(glm::dot(d, normal)) <= 0.25f * distance2;
+  const bool faces = static_cast<bool>((cosine > 0) & (sqr(cosine) > 0.25f * glm::dot(n, n)));
+  return is_level & faces ? distance2 : kInfinity;
+}
+inline void find_distances_on_surface(const PhotonBlock& block, const Vec3& position, const Vec3& normal,
+                                      BlockDistances& distances2) {
+#pragma GCC ivdep
+  for (size_t i = 0; i < PhotonBlock::kSize; ++i) distances2[i] = distance2_on_surface(block, i, position, normal);
+}
+
+// The photons that a Lambertian surface reflects to one of its sides.
+struct LambertianSide {
+  Vec3 normal;
   float side = 1;      // the sign of the cosine between the normal and the direction of reflection
   int max_length = 0;  // edges of the paths of the photons
 };
@@ -58,10 +76,31 @@ struct LambertianLookup {
 // The powers of photons, summed lane by lane.
 struct PowerSums {
   alignas(64) std::array<float, PhotonBlock::kSize> red{}, green{}, blue{};
-  Rgb total() const;
+
+  Rgb total() const { return {sum_of(red), sum_of(green), sum_of(blue)}; }
+
+ private:
+  static float sum_of(std::array<float, PhotonBlock::kSize> values) {
+    for (size_t half = PhotonBlock::kSize / 2; half > 0; half /= 2)
+      for (size_t i = 0; i < half; ++i) values[i] += values[i + half];
+    return values[0];
+  }
 };
 
-// Adds the powers of the selected photons of a block.
-void add_powers(const PhotonBlock& block, const LambertianLookup& lookup, PowerSums& sums);
+// Adds the powers of the photons within a radius that a Lambertian surface reflects.
+inline void add_powers(const PhotonBlock& block, const BlockDistances& distances2, float radius2,
+                       const LambertianSide& side, PowerSums& sums) {
+  // Signs of cosines do not depend on the length of the unfolded directions.
+#pragma GCC ivdep
+  for (size_t i = 0; i < PhotonBlock::kSize; ++i) {
+    const Vec3 wi = unfold_direction(block.packed[i] >> Photon::kDirectionShift, Photon::kDirectionBits);
+    const int length = static_cast<int>(block.packed[i] >> Photon::kLengthShift & Photon::kMaxLength);
+    const bool selected = static_cast<bool>((distances2[i] < radius2) & (glm::dot(wi, side.normal) * side.side > 0) &
+                                            (length <= side.max_length));
+    sums.red[i] += selected ? block.red[i] : 0;
+    sums.green[i] += selected ? block.green[i] : 0;
+    sums.blue[i] += selected ? block.blue[i] : 0;
+  }
+}
 
 }  // namespace etendue::photon

@@ -40,21 +40,30 @@ class PhotonReflection {
   PhotonReflection(transport::PathWavefront<M>& paths, int hit, const PhotonView& view, int edges)
       : bsdf_(surface_of(paths.bsdf(hit))), wo_(paths.wo(hit)), ng_(paths.point(hit).ng), view_(view), edges_(edges) {
     has_geometric_normal_ = bsdf_.frame().z == ng_;
-    is_lambertian_ = has_geometric_normal_ && has_only_lambertian_lobe();
+    is_lambertian_ = !M::kClasses && has_geometric_normal_ && transport::is_lambertian<typename M::Surfaces>(bsdf_);
     if (is_lambertian_) lambertian_value_ = bsdf_.eval(wo_, wo_);
     if constexpr (M::kClasses) transport::find_join_weights(paths.shares(), paths.path_at(hit), *view.join, weights_);
   }
 
-  // Whether f is constant for all directions that are reflected, which is its value for the view direction.
-  bool is_lambertian() const { return is_lambertian_; }
-  // The sum of f Phi of all photons within a radius around the vertex, if it is Lambertian.
-  Color reflected_within(const Vec3& position, float radius2) const {
-    const photon::LambertianLookup lookup{.position = position,
-                                          .normal = ng_,
-                                          .radius2 = radius2,
-                                          .side = glm::dot(ng_, wo_),
-                                          .max_length = max_photon_length()};
-    return lambertian_value_ * view_.map->sum_of_powers(lookup);
+  // The sum of f Phi times the kernel, over all photons of a region.
+  Color reflected(const photon::Neighbourhood& found, photon::Kernel kernel) const {
+    if (is_lambertian_ && kernel == photon::Kernel::constant && found.is_open())
+      return lambertian_value_ * view_.map->sum_of_powers(found, lambertian_side());
+    Color sum(0);
+    view_.map->for_each(found, [&](const photon::Photon& photon, float distance2) {
+      sum += reflected(photon) * kernel_weight(kernel, distance2 / found.radius2());
+    });
+    return sum;
+  }
+
+ private:
+  using SurfaceBsdf = Bsdf<typename M::Surfaces>;
+
+  static const SurfaceBsdf& surface_of(const Bsdf<M>& bsdf) {
+    if constexpr (M::kScattering)
+      return bsdf.surface();
+    else
+      return bsdf;
   }
 
   // f Phi
@@ -77,29 +86,9 @@ class PhotonReflection {
     return f * photon.power() * cosines;
   }
 
- private:
-  using SurfaceBsdf = Bsdf<typename M::Surfaces>;
-
-  static const SurfaceBsdf& surface_of(const Bsdf<M>& bsdf) {
-    if constexpr (M::kScattering)
-      return bsdf.surface();
-    else
-      return bsdf;
-  }
-
-  bool has_only_lambertian_lobe() const {
-    if constexpr (M::kClasses)
-      return false;
-    else if constexpr (M::kDiffuse)
-      return true;
-    else if constexpr (requires { bsdf_.lobes.template single_lobe_as<Lambert<Color>>(); })
-      return bsdf_.lobes.template single_lobe_as<Lambert<Color>>() != nullptr;
-    else
-      return false;
-  }
-  // The largest number of edges of the path of a photon.
-  int max_photon_length() const {
-    return view_.max_length > 0 ? view_.max_length - edges_ : std::numeric_limits<int>::max();
+  photon::LambertianSide lambertian_side() const {
+    const int max_length = view_.max_length > 0 ? view_.max_length - edges_ : std::numeric_limits<int>::max();
+    return {.normal = ng_, .side = glm::dot(ng_, wo_), .max_length = max_length};
   }
 
   Color value_by_letter(const Vec3& wi, const typename transport::JoinWeights<Color>::ByLetter& weight) const {
@@ -116,7 +105,9 @@ class PhotonReflection {
   const Vec3 &wo_, &ng_;
   const PhotonView& view_;
   int edges_;
-  bool has_geometric_normal_, is_lambertian_;
+  bool has_geometric_normal_;
+  // f is constant for all directions that are reflected, which is its value for the view direction.
+  bool is_lambertian_;
   Color lambertian_value_{0};
   [[no_unique_address]] std::conditional_t<M::kClasses, transport::JoinWeights<Color>, Empty> weights_;
 };
@@ -165,21 +156,16 @@ struct NearestPhotons {
 template <class M, class Selected = transport::EveryHit>
 void add_nearest_photons(transport::PathWavefront<M>& paths, const PhotonView& view, const NearestPhotons& nearest,
                          int before, const Selected& selected = {}) {
-  static thread_local std::vector<photon::Neighbour> neighbours;
+  static thread_local photon::Neighbourhood found;
   const Stopwatch::Lap lap(view.watch);
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!selected(i) || paths.in_volume(i) || !view.split.has_rough(paths.bsdf(i))) continue;
     const scene::SurfacePoint& point = paths.point(i);
-    const auto neighbourhood =
-        view.map->nearest(point.position, point.ng, nearest.count, nearest.max_distance2, neighbours);
-    if (neighbourhood.photons.empty()) continue;
+    view.map->find_nearest(point.position, point.ng, nearest.count, nearest.max_distance2, found);
+    if (found.empty()) continue;
     const PhotonReflection<M> reflection(paths, i, view, before + paths.length());
-    typename M::Color sum(0);
-    for (const photon::Neighbour& n : neighbourhood.photons)
-      sum += reflection.reflected((*view.map)[n.photon]) *
-             kernel_weight(nearest.kernel, n.distance2 / neighbourhood.radius2);
     auto& path = paths.state_at(i);
-    path.radiance += path.throughput * sum / (kPi * neighbourhood.radius2);
+    path.radiance += path.throughput * reflection.reflected(found, nearest.kernel) / (kPi * found.radius2());
   }
 }
 
@@ -189,44 +175,97 @@ void add_nearest_volume_photons(transport::PathWavefront<M>& paths, const Photon
                                 const NearestPhotons& nearest, int before, Shallow&& shallow) {
   if constexpr (M::kScattering) {
     if (!view.volume_map) return;
-    static thread_local std::vector<photon::Neighbour> neighbours;
+    static thread_local photon::Neighbourhood found;
     const Stopwatch::Lap lap(view.watch);
     for (int i = 0; i < paths.hit_count(); ++i) {
       if (!paths.in_volume(i)) continue;
       // The decision must not depend on the photons: it would discard estimates that are too dark.
       if (shallow.decide(i, std::isfinite(nearest.max_distance2) ? nearest.max_distance2 : 0)) continue;
-      const auto ball =
-          view.volume_map->nearest_in_ball(paths.point(i).position, nearest.count, nearest.max_distance2, neighbours);
-      if (ball.photons.empty()) continue;
+      view.volume_map->find_nearest_in_ball(paths.point(i).position, nearest.count, nearest.max_distance2, found);
+      if (found.empty()) continue;
       const PhotonScattering<M> scattering(paths, i, view, before + paths.length());
       typename M::Color sum(0);
-      for (const photon::Neighbour& n : ball.photons)
-        sum += scattering.scattered((*view.volume_map)[n.photon]) *
-               kernel_weight(nearest.kernel, n.distance2 / ball.radius2, photon::Region::ball);
+      view.volume_map->for_each(found, [&](const photon::Photon& photon, float distance2) {
+        sum += scattering.scattered(photon) *
+               kernel_weight(nearest.kernel, distance2 / found.radius2(), photon::Region::ball);
+      });
       auto& path = paths.state_at(i);
-      path.radiance += path.throughput * sum / ball_volume(ball.radius2);
+      path.radiance += path.throughput * sum / ball_volume(found.radius2());
     }
   }
 }
+
+// Lookups within a radius for the current surfaces. Up to sixteen consecutive hits share the search of the tree if they are
+// close to each other, as those of neighbouring pixels are.
+template <class M>
+class GroupedLookups {
+ public:
+  static constexpr int kSize = 16;
+
+  // The hits from `first` on for which `is_looked_up(hit)` is true; `radius2(hit)` is the squared radius.
+  template <class IsLookedUp, class Radius2>
+  GroupedLookups(transport::PathWavefront<M>& paths, const photon::PhotonMap& map, int first,
+                 const IsLookedUp& is_looked_up, const Radius2& radius2)
+      : paths_(paths), map_(map) {
+    photon::Box box;
+    float largest2 = 0;
+    for (int i = first; i < std::min(first + kSize, paths.hit_count()); ++i) {
+      if (!is_looked_up(i)) continue;
+      hits_[count_] = i;
+      radii2_[count_] = radius2(i);
+      largest2 = std::max(largest2, radii2_[count_++]);
+      box.add(paths.point(i).position);
+    }
+    const Vec3 size = box.max - box.min;
+    is_close_ = count_ > 1 && glm::dot(size, size) < kMaxSize2 * largest2;
+    if (is_close_) map.find_leaves(box, largest2, leaves());
+  }
+
+  // Calls look_up(hit, found, radius2).
+  template <class LookUp>
+  void for_each(const LookUp& look_up) const {
+    static thread_local photon::Neighbourhood found;
+    for (size_t k = 0; k < count_; ++k) {
+      const scene::SurfacePoint& point = paths_.point(hits_[k]);
+      if (is_close_)
+        map_.find_within(leaves(), point.position, point.ng, radii2_[k], found);
+      else
+        map_.find_within(point.position, point.ng, radii2_[k], found);
+      look_up(hits_[k], found, radii2_[k]);
+    }
+  }
+
+ private:
+  // Of the box of the group, relative to the largest radius: a larger box would have too many leaves.
+  static constexpr float kMaxSize2 = sqr(8.0f);
+
+  static photon::LeafGroup& leaves() {
+    static thread_local photon::LeafGroup group;
+    return group;
+  }
+
+  transport::PathWavefront<M>& paths_;
+  const photon::PhotonMap& map_;
+  std::array<int, kSize> hits_{};
+  std::array<float, kSize> radii2_{};
+  size_t count_ = 0;
+  bool is_close_ = false;
+};
 
 // Adds the light that the current surfaces reflect, with all photons within a radius: `radius2(i)` is the squared radius
 // of hit i.
 template <class M, class Radius2>
 void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2) {
   const Stopwatch::Lap lap(view.watch);
-  for (int i = 0; i < paths.hit_count(); ++i) {
-    if (paths.in_volume(i) || !view.split.has_rough(paths.bsdf(i))) continue;
-    const scene::SurfacePoint& point = paths.point(i);
-    const PhotonReflection<M> reflection(paths, i, view, paths.length());
-    const float r2 = radius2(i);
-    typename M::Color sum(0);
-    if (reflection.is_lambertian())
-      sum = reflection.reflected_within(point.position, r2);
-    else
-      view.map->for_each_within(point.position, point.ng, r2,
-                                [&](const photon::Photon& photon, float) { sum += reflection.reflected(photon); });
-    auto& path = paths.state_at(i);
-    path.radiance += path.throughput * sum / (kPi * r2);
+  const auto is_looked_up = [&](int i) { return !paths.in_volume(i) && view.split.has_rough(paths.bsdf(i)); };
+  for (int first = 0; first < paths.hit_count(); first += GroupedLookups<M>::kSize) {
+    const GroupedLookups<M> lookups(paths, *view.map, first, is_looked_up, radius2);
+    lookups.for_each([&](int i, const photon::Neighbourhood& found, float r2) {
+      if (found.empty()) return;
+      const PhotonReflection<M> reflection(paths, i, view, paths.length());
+      auto& path = paths.state_at(i);
+      path.radiance += path.throughput * reflection.reflected(found, photon::Kernel::constant) / (kPi * r2);
+    });
   }
 }
 
@@ -236,15 +275,16 @@ void add_volume_photons_within(transport::PathWavefront<M>& paths, const PhotonV
                                ShallowCollisions<M>& shallow) {
   if constexpr (M::kScattering) {
     if (!view.volume_map) return;
+    static thread_local photon::Neighbourhood found;
     const Stopwatch::Lap lap(view.watch);
     for (int i = 0; i < paths.hit_count(); ++i) {
       if (!paths.in_volume(i)) continue;
       if (shallow.decide(i, radius2)) continue;
       const PhotonScattering<M> scattering(paths, i, view, paths.length());
       typename M::Color sum(0);
-      view.volume_map->for_each_in_ball(paths.point(i).position, radius2, [&](const photon::Photon& photon, float) {
-        sum += scattering.scattered(photon);
-      });
+      view.volume_map->find_within_ball(paths.point(i).position, radius2, found);
+      view.volume_map->for_each(found,
+                                [&](const photon::Photon& photon, float) { sum += scattering.scattered(photon); });
       auto& path = paths.state_at(i);
       path.radiance += path.throughput * sum / ball_volume(radius2);
     }

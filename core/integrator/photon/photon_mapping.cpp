@@ -312,8 +312,7 @@ class PhotonMapping::Maps final : public RenderState {
         add_nearest_volume_photons(paths, view, nearest, 0, shallow);
         direct_light.add_near_specular();
         add_nearest_photons(paths, view, nearest, 0);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
-                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
+        continue_near_specular(paths, view.split, shallow, integrator_.roulette_start);
       }
     }
     return true;
@@ -341,8 +340,7 @@ class PhotonMapping::Maps final : public RenderState {
         direct_light.add();
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
-                    AcceptNearSpecularOrShallow<M>{{split}, shallow});
+        continue_near_specular(paths, split, shallow, integrator_.roulette_start);
       }
     }
     return true;

@@ -85,4 +85,19 @@ struct AcceptNearSpecularOrShallow {
   }
 };
 
+// Continues camera paths by near-specular lobes, and from shallow collisions. A recorder is told of all other paths, too.
+template <class M>
+void continue_near_specular(transport::PathWavefront<M>& paths, const transport::LobeSplit& split,
+                            const ShallowCollisions<M>& shallow, int roulette_start) {
+  const auto continues = [&](int i) {
+    return shallow(i) || split.may_have_near_specular<M>(paths.bsdf(i)) || paths.recorder() != nullptr;
+  };
+  int first = 0;
+  while (first < paths.hit_count() && !continues(first)) ++first;
+  if (first == paths.hit_count()) return;
+  transport::sample_bsdf_where(
+      paths, roulette_start, TransportMode::radiance, continues, [](int, const auto&) {},
+      AcceptNearSpecularOrShallow<M>{{split}, shallow});
+}
+
 }  // namespace etendue::integrator

@@ -217,8 +217,7 @@ class State final : public RenderState {
         add_volume_photons_within(paths, view, sqr(volume_radius_), shallow);
         integrator_.connect ? direct_light.add() : direct_light.add_near_specular();
         add_photons_within(paths, view, radius2);
-        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance,
-                    AcceptNearSpecularOrShallow<M>{{view.split}, shallow});
+        continue_near_specular(paths, view.split, shallow, integrator_.roulette_start);
       }
     }
   }

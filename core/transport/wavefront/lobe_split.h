@@ -9,6 +9,20 @@
 
 namespace etendue::transport {
 
+// Whether a vertex is on a surface whose only lobe is Lambertian.
+template <class M>
+bool is_lambertian(const Bsdf<M>& bsdf) {
+  using Lambertian = Lambert<typename M::Color>;
+  if constexpr (M::kScattering)
+    return !bsdf.in_volume() && is_lambertian<typename M::Surfaces>(bsdf.surface());
+  else if constexpr (M::kDiffuse)
+    return true;
+  else if constexpr (requires { bsdf.lobes.template single_lobe_as<Lambertian>(); })
+    return bsdf.lobes.template single_lobe_as<Lambertian>() != nullptr;
+  else
+    return false;
+}
+
 class LobeSplit {
  public:
   // Glossy lobes below this roughness (the root of the facet slope) are near-specular.
@@ -33,6 +47,14 @@ class LobeSplit {
   template <class M>
   bool has_near_specular_gloss(const Bsdf<M>& bsdf) const {
     return bsdf.has_component(ScatterType::glossy) && !gloss_is_rough(bsdf);
+  }
+
+  // Whether a vertex may continue paths by near-specular lobes; an upper bound.
+  template <class M>
+  bool may_have_near_specular(const Bsdf<M>& bsdf) const {
+    if constexpr (M::kScattering)
+      if (bsdf.in_volume()) return false;
+    return !is_lambertian<M>(bsdf);
   }
 
   // The rough lobes of f.

@@ -1,4 +1,4 @@
-// The kd-tree of photons against brute force, and density estimation against its theory: E[(k - 1) / (pi r_k^2)] is the
+// Lookups of photons against brute force, and density estimation against its theory: E[(k - 1) / (pi r_k^2)] is the
 // density, with relative standard deviation 1 / sqrt(k - 2) [Lang, eq. 9.127-9.134].
 #include "integrator/photon/photon_map.h"
 
@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "base/warp.h"
+#include "integrator/photon/hilbert_curve.h"
 #include "integrator/photon/kernel.h"
 
 namespace etendue::photon {
@@ -68,7 +70,7 @@ std::vector<float> distances_by_force(const std::vector<Photon>& photons, const 
 
 std::vector<float> distances_of(const Neighbourhood& around) {
   std::vector<float> all;
-  for (const Neighbour& n : around.photons) all.push_back(n.distance2);
+  around.for_each([&](uint32_t, size_t, float distance2) { all.push_back(distance2); });
   std::ranges::sort(all);
   return all;
 }
@@ -122,6 +124,28 @@ std::vector<std::array<float, 4>> sorted_values(size_t count, const std::functio
   return values;
 }
 
+// The cells of every coarser grid are visited one after another, each beside the one before.
+TEST(HilbertCurve, VisitsNeighbours) {
+  constexpr uint32_t kSide = 8, kCells = kSide * kSide * kSide;
+  const Cube cube{{-1, 2, 0}, 4};
+  Vec3Lanes<kCells> centers{};
+  std::vector<uint64_t> positions(kCells);
+  for (uint32_t i = 0; i < kCells; ++i) {
+    const Vec3 cell(static_cast<float>(i % kSide), static_cast<float>(i / kSide % kSide),
+                    static_cast<float>(i / kSide / kSide));
+    centers.set(i, cube.corner + cube.size * (cell + 0.5f) / static_cast<float>(kSide));
+  }
+  find_hilbert_positions(cube, centers, kCells, positions.data());
+  std::vector<size_t> order(kCells);
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::ranges::sort(order, {}, [&](size_t i) { return positions[i]; });
+  for (size_t k = 0; k < kCells; ++k) {
+    EXPECT_EQ(positions[order[k]] >> (kHilbertBits - 9), k);
+    if (k == 0) continue;
+    EXPECT_FLOAT_EQ(glm::distance(centers[order[k - 1]], centers[order[k]]), cube.size / kSide) << k;
+  }
+}
+
 TEST(PhotonMap, LeavesHoldEveryPhotonOnce) {
   for (const size_t count : {1U, 2U, 15U, 16U, 17U, 32U, 33U, 100U, 1000U, 4095U, 4096U, 4097U, 5000U}) {
     const auto photons = cloud(count, 7);
@@ -139,29 +163,35 @@ TEST(PhotonMap, NearestEqualBruteForce) {
   PhotonMap map;
   map.build(photons);
   Numbers random(4);
-  std::vector<Neighbour> room;
+  Neighbourhood around;
   for (int i = 0; i < 200; ++i) {
     const Vec3 from = Vec3(random(), random(), random()) * 1.4f - 0.2f;
     const auto all = distances_by_force(photons, from, kUp);
     for (const size_t most : {2U, 17U, 100U}) {
-      const auto around = map.nearest(from, kUp, most, kInfinity, room);
+      map.find_nearest(from, kUp, most, kInfinity, around);
       EXPECT_EQ(distances_of(around), std::vector<float>(all.begin(), all.begin() + static_cast<long>(most) - 1));
-      EXPECT_EQ(around.radius2, all[most - 1]);
+      EXPECT_EQ(around.radius2(), all[most - 1]);
     }
     const float limit = sqr(0.1f);
     const auto within = static_cast<long>(std::ranges::lower_bound(all, limit) - all.begin());
-    const auto around = map.nearest(from, kUp, 3000, limit, room);
+    map.find_nearest(from, kUp, 3000, limit, around);
     EXPECT_EQ(distances_of(around), std::vector<float>(all.begin(), all.begin() + within));
-    EXPECT_EQ(around.radius2, limit);
+    EXPECT_EQ(around.radius2(), limit);
     std::vector<float> visited;
-    map.for_each_within(from, kUp, limit, [&](const Photon&, float d2) { visited.push_back(d2); });
+    map.find_within(from, kUp, limit, around);
+    map.for_each(around, [&](const Photon&, float d2) { visited.push_back(d2); });
     std::ranges::sort(visited);
     EXPECT_EQ(visited, std::vector<float>(all.begin(), all.begin() + within));
   }
 }
 
-TEST(PhotonMap, SumOfPowersEqualsThatOfTheVisitedPhotons) {
+void expect_close(const Rgb& sum, const Rgb& expected) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 1e-5f * expected[c] + 1e-6f);
+}
+
+TEST(PhotonMap, SumsOfPowersEqualThoseOfTheVisitedPhotons) {
   Numbers random(5);
+  Neighbourhood around;
   std::vector<Photon> photons;
   for (int i = 0; i < 5000; ++i) {
     const Vec3 position(random(), 0.02f * random(), random());
@@ -172,17 +202,50 @@ TEST(PhotonMap, SumOfPowersEqualsThatOfTheVisitedPhotons) {
   map.build(photons);
   for (int i = 0; i < 100; ++i) {
     const Vec3 from(random(), 0.01f, random());
-    const LambertianLookup lookup{.position = from,
-                                  .normal = kUp,
-                                  .radius2 = sqr(0.3f * random()),
-                                  .side = i % 2 == 0 ? 0.5f : -0.5f,
-                                  .max_length = 2 + i % 9};
+    const float radius2 = sqr(0.3f * random());
+    const LambertianSide side{.normal = kUp, .side = i % 2 == 0 ? 0.5f : -0.5f, .max_length = 2 + i % 9};
+    const auto is_selected = [&](const Photon& photon) {
+      return photon.direction().y * side.side > 0 && photon.length() <= side.max_length;
+    };
     Rgb expected(0);
-    map.for_each_within(from, kUp, lookup.radius2, [&](const Photon& photon, float) {
-      if (photon.direction().y * lookup.side > 0 && photon.length() <= lookup.max_length) expected += photon.power();
+    map.find_within(from, kUp, radius2, around);
+    map.for_each(around, [&](const Photon& photon, float) {
+      if (is_selected(photon)) expected += photon.power();
     });
-    const Rgb sum = map.sum_of_powers(lookup);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 1e-5f * expected[c] + 1e-6f);
+    expect_close(map.sum_of_powers(around, side), expected);
+    map.find_nearest(from, kUp, 60, radius2, around);
+    expected = Rgb(0);
+    map.for_each(around, [&](const Photon& photon, float) {
+      if (is_selected(photon)) expected += photon.power();
+    });
+    expect_close(map.sum_of_powers(around, side), expected);
+  }
+}
+
+// Points that share a search find the same photons as by themselves.
+TEST(PhotonMap, GroupsOfPointsFindTheSamePhotons) {
+  const auto photons = cloud(5000, 12);
+  PhotonMap map;
+  map.build(photons);
+  Numbers random(13);
+  LeafGroup group;
+  Neighbourhood alone, together;
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 corner = Vec3(random(), random(), random()) * 1.2f - 0.1f;
+    const float size = 0.2f * random(), radius = 0.02f + 0.3f * random();
+    Box box;
+    std::vector<Vec3> points;
+    for (int k = 0; k < 10; ++k) {
+      points.push_back(corner + size * Vec3(random(), random(), random()));
+      box.add(points.back());
+    }
+    map.find_leaves(box, sqr(radius), group);
+    for (const Vec3& p : points) {
+      const float radius2 = sqr(radius * random());
+      map.find_within(p, kUp, radius2, alone);
+      map.find_within(group, p, kUp, radius2, together);
+      EXPECT_EQ(distances_of(together), distances_of(alone));
+    }
   }
 }
 
@@ -193,27 +256,29 @@ TEST(PhotonMap, NearestOfEqualDistancesEqualBruteForce) {
     for (int z = 0; z < 70; ++z) photons.push_back(at({static_cast<float>(x), 0, static_cast<float>(z)}));
   PhotonMap map;
   map.build(photons);
-  std::vector<Neighbour> room;
+  Neighbourhood around;
   for (int i = 0; i < 50; ++i) {
     const Vec3 from(static_cast<float>(i), 0, static_cast<float>(3 * i % 70));
     const auto all = distances_by_force(photons, from, kUp);
     for (const size_t most : {4U, 6U, 50U, 77U}) {
-      const auto around = map.nearest(from, kUp, most, kInfinity, room);
+      map.find_nearest(from, kUp, most, kInfinity, around);
       EXPECT_EQ(distances_of(around), std::vector<float>(all.begin(), all.begin() + static_cast<long>(most) - 1));
-      EXPECT_EQ(around.radius2, all[most - 1]);
+      EXPECT_EQ(around.radius2(), all[most - 1]);
     }
   }
 }
 
 // The inner side of a far wall has the same normal as the outer side of the near wall.
 TEST(PhotonMap, PhotonsStraightBehindBelongToAnotherSurface) {
-  std::vector<Neighbour> room;
+  Neighbourhood around;
   PhotonMap map;
   const Vec3 beside = glm::normalize(glm::cross(kUp, Vec3(0.3f, 0.4f, 0.5f)));
   map.build({at(kUp), at(-kUp), at(beside)});
-  EXPECT_EQ(map.nearest({0, 0, 0}, kUp, 10, 4, room).photons.size(), 1U);
+  map.find_nearest({0, 0, 0}, kUp, 10, 4, around);
+  EXPECT_EQ(around.size(), 1U);
   int visited = 0;
-  map.for_each_within({0, 0, 0}, kUp, 4, [&](const Photon& photon, float) {
+  map.find_within({0, 0, 0}, kUp, 4, around);
+  map.for_each(around, [&](const Photon& photon, float) {
     ++visited;
     EXPECT_GT(glm::dot(photon.position(), beside), 0.99f);
   });
@@ -221,26 +286,36 @@ TEST(PhotonMap, PhotonsStraightBehindBelongToAnotherSurface) {
 }
 
 TEST(PhotonMap, QueriesForMorePhotonsThanStored) {
-  std::vector<Neighbour> room;
+  Neighbourhood around;
   PhotonMap map;
   map.build({});
-  EXPECT_TRUE(map.nearest({0, 0, 0}, kUp, 10, kInfinity, room).photons.empty());
+  map.find_nearest({0, 0, 0}, kUp, 10, kInfinity, around);
+  EXPECT_TRUE(around.empty());
   map.build({at({0, 0, 1})});
-  EXPECT_TRUE(map.nearest({0, 0, 0}, kUp, 10, kInfinity, room).photons.empty());
-  EXPECT_EQ(map.nearest({0, 0, 0}, kUp, 10, 4, room).photons.size(), 1U);
+  map.find_nearest({0, 0, 0}, kUp, 10, kInfinity, around);
+  EXPECT_TRUE(around.empty());
+  map.find_nearest({0, 0, 0}, kUp, 10, 4, around);
+  EXPECT_EQ(around.size(), 1U);
   map.build({at({0, 0, 1}), at({0, 0, 2}), at({0, 0, 2})});
-  EXPECT_EQ(map.nearest({0, 0, 0}, kUp, 10, kInfinity, room).photons.size(), 2U);
-  EXPECT_EQ(map.nearest({0, 0, 0}, kUp, 10, kInfinity, room).radius2, 4);
-  EXPECT_TRUE(map.nearest({0, 0, 0}, -kUp, 10, kInfinity, room).photons.empty());
+  map.find_nearest({0, 0, 0}, kUp, 10, kInfinity, around);
+  EXPECT_EQ(around.size(), 2U);
+  EXPECT_EQ(around.radius2(), 4);
+  map.find_nearest({0, 0, 0}, -kUp, 10, kInfinity, around);
+  EXPECT_TRUE(around.empty());
 }
 
 TEST(PhotonMap, CoincidentPhotonsAreAllFound) {
   PhotonMap map;
   map.build(std::vector<Photon>(1000, at({1, 1, 1})));
-  std::vector<Neighbour> room;
-  EXPECT_EQ(map.nearest({1, 1, 1}, kUp, 2000, 1, room).photons.size(), 1000U);
+  Neighbourhood around;
+  map.find_nearest({1, 1, 1}, kUp, 2000, 1, around);
+  EXPECT_EQ(around.size(), 1000U);
+  map.find_nearest({1, 1, 1}, kUp, 100, 1, around);
+  EXPECT_EQ(around.size(), 99U);
+  EXPECT_EQ(distances_of(around), std::vector<float>(99, 0));
   int visited = 0;
-  map.for_each_within({1, 1, 1}, kUp, 1e-6f, [&](const Photon&, float) { ++visited; });
+  map.find_within({1, 1, 1}, kUp, 1e-6f, around);
+  map.for_each(around, [&](const Photon&, float) { ++visited; });
   EXPECT_EQ(visited, 1000);
 }
 
@@ -250,16 +325,15 @@ TEST(PhotonMap, CoincidentPhotonsAreAllFound) {
 TEST(Density, HasTheMeanAndTheDeviationOfTheory) {
   constexpr size_t kPhotons = 400'000;
   const PhotonMap map = plate(kPhotons, 5);
-  std::vector<Neighbour> room;
+  Neighbourhood around;
   for (const size_t k : {10U, 50U, 100U}) {
     const float apart = 4 * std::sqrt(static_cast<float>(k) / (kPi * kPhotons));
     double sum = 0, squares = 0;
     int count = 0;
     for (float x = 2 * apart; x < 1 - 2 * apart; x += apart)
       for (float z = 2 * apart; z < 1 - 2 * apart; z += apart, ++count) {
-        const auto around = map.nearest({x, 0, z}, kUp, k, kInfinity, room);
-        const double density =
-            static_cast<double>(around.photons.size()) / (double{kPi} * double{around.radius2} * kPhotons);
+        map.find_nearest({x, 0, z}, kUp, k, kInfinity, around);
+        const double density = static_cast<double>(around.size()) / (double{kPi} * double{around.radius2()} * kPhotons);
         sum += density;
         squares += sqr(density);
       }
@@ -271,10 +345,10 @@ TEST(Density, HasTheMeanAndTheDeviationOfTheory) {
 }
 
 double density_at(const PhotonMap& map, const Vec3& position, size_t k, const Vec3& normal = kUp) {
-  std::vector<Neighbour> room;
-  const auto around = map.nearest(position, normal, k, kInfinity, room);
-  return static_cast<double>(around.photons.size()) /
-         (double{kPi} * double{around.radius2} * static_cast<double>(map.size()));
+  Neighbourhood around;
+  map.find_nearest(position, normal, k, kInfinity, around);
+  return static_cast<double>(around.size()) /
+         (double{kPi} * double{around.radius2()} * static_cast<double>(map.size()));
 }
 
 // Boundary bias [Lang, Remark 9.32]: at an edge half of the disc lies beside the plate, at a corner three quarters. The

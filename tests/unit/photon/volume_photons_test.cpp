@@ -27,7 +27,7 @@ TEST(PhotonMap, NearestInABallEqualBruteForce) {
   const auto photons = photons_in_a_cube(2000, 3);
   PhotonMap map;
   map.build(photons);
-  std::vector<Neighbour> buffer;
+  Neighbourhood ball;
   for (const Photon& center : photons_in_a_cube(100, 4)) {
     std::vector<float> all;
     for (const Photon& p : photons) {
@@ -35,15 +35,16 @@ TEST(PhotonMap, NearestInABallEqualBruteForce) {
       all.push_back(glm::dot(d, d));
     }
     std::ranges::sort(all);
-    const auto ball = map.nearest_in_ball(center.position(), 30, kInfinity, buffer);
+    map.find_nearest_in_ball(center.position(), 30, kInfinity, ball);
     std::vector<float> found;
-    for (const Neighbour& n : ball.photons) found.push_back(n.distance2);
+    map.for_each(ball, [&](const Photon&, float d2) { found.push_back(d2); });
     std::ranges::sort(found);
     EXPECT_EQ(found, std::vector<float>(all.begin(), all.begin() + 29));
-    EXPECT_EQ(ball.radius2, all[29]);
+    EXPECT_EQ(ball.radius2(), all[29]);
     const float limit = sqr(0.15f);
     std::vector<float> visited;
-    map.for_each_in_ball(center.position(), limit, [&](const Photon&, float d2) { visited.push_back(d2); });
+    map.find_within_ball(center.position(), limit, ball);
+    map.for_each(ball, [&](const Photon&, float d2) { visited.push_back(d2); });
     std::ranges::sort(visited);
     EXPECT_EQ(visited, std::vector<float>(all.begin(), std::ranges::lower_bound(all, limit)));
   }
