@@ -151,7 +151,7 @@ class GuidedSampling {
       path.eta_scale *= sqr(s.eta) * densities.gain();
       const float survival = expected_survival(i, s, densities);
       if (roulette && !survives(i, s, survival, roulette_start)) continue;
-      record_scattering(path, paths_.receiver(i), s);
+      record_scattering(path, paths_.point(i).position, paths_.receiver_normal(i), s);
       if (!s.delta && paths_.length() <= kGuidedVertices) record(i, s, densities);
       sampled(i, s);
       paths_.continue_path(i, s.wi);

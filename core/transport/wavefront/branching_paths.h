@@ -158,7 +158,7 @@ class BranchingPaths {
     }
     path.radiance = Color(0);
     path.seed = paths_->seed(hit);
-    record_scattering(path, paths_->receiver(hit), s);
+    record_scattering(path, paths_->point(hit).position, paths_->receiver_normal(hit), s);
     if constexpr (M::kClasses) {
       paths_->shares().copy_to_branch(from);
       if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) {

@@ -302,12 +302,13 @@ bool survives_roulette(PathWavefront<M>& paths, const RouletteSettings& roulette
   return true;
 }
 
-// Records the scattering event that the path continues with.
+// Records the scattering event that the path continues with. `normal` is that of the vertex as a receiver of light; a
+// LightReceiver in place of both arguments would be composed of words and copied as a whole, which stalls.
 template <class Color>
-void record_scattering(PathState<Color>& path, const LightReceiver& from, const LobeSample<Color>& s) {
+void record_scattering(PathState<Color>& path, const Vec3& position, PackedNormal normal, const LobeSample<Color>& s) {
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
-  path.from = from.position;
-  path.normal = from.normal;
+  path.from = position;
+  path.normal = normal;
   path.all_specular = path.all_specular && s.delta;
 }
 
@@ -354,7 +355,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, const RouletteSettings& roulette
     }
     if (recording) [[unlikely]]
       record_throughput(paths, i, path.throughput);
-    record_scattering(path, paths.receiver(i), s);
+    record_scattering(path, paths.point(i).position, paths.receiver_normal(i), s);
     record(i, s);
     paths.continue_path(i, s.wi);
   }

@@ -217,7 +217,8 @@ class PathWavefront {
   }
 
   // A current hit as a receiver of light, after `sample_lights`: with a normal if the strategy uses normals.
-  LightReceiver receiver(int hit) const { return {point(hit).position, normals_[static_cast<size_t>(hit)]}; }
+  LightReceiver receiver(int hit) const { return {point(hit).position, receiver_normal(hit)}; }
+  const PackedNormal& receiver_normal(int hit) const { return normals_[static_cast<size_t>(hit)]; }
 
   // The paths that left the scene in the last `trace`.
   int miss_count() const { return miss_count_; }
@@ -364,7 +365,7 @@ class PathWavefront {
   LightQueries light_queries(LightSampling sampling) {
     const bool uses_normals = scene_->lights().uses_normals(sampling);
     for (int i = 0; uses_normals && i < hit_count_; ++i)
-      normals_[static_cast<size_t>(i)] = receiver_normal(point(i), wo(i));
+      normals_[static_cast<size_t>(i)] = transport::receiver_normal(point(i), wo(i));
     draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
     const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
     return {positions_,
