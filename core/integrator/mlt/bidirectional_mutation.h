@@ -113,7 +113,8 @@ bool sample_part(const PathPart& part, PathSpace<M>& space, ChainRandom& random,
   const int k = path.edges(), splits = part.splits(k);
   // The last vertex of the light subpath.
   const int c = part.l + std::min(static_cast<int>(random.next() * static_cast<float>(splits)), splits - 1);
-  if (part.l < 0 && c >= 0 && !space.sample_light(random, path)) return false;
+  const bool for_receiver = part.l < 0 && c == 0 && k > 1 && chooses_lights_for_receivers(space.scene());
+  if (part.l < 0 && c >= 0 && !for_receiver && !space.sample_light(random, path)) return false;
   for (int i = std::max(part.l, 0); i < c; ++i)
     if (!(i == 0 ? space.trace_from_light(random, path) : space.scatter_to_camera(i, random, path))) return false;
   const Vec2 lens = part.m > k ? random.next_2d() : path.lens;
@@ -122,6 +123,7 @@ bool sample_part(const PathPart& part, PathSpace<M>& space, ChainRandom& random,
     if (!(i == k ? space.trace_from_camera(space.image_point(random.next_2d()), lens, random, path)
                  : space.scatter_to_light(i, random, path)))
       return false;
+  if (for_receiver && !space.sample_light_for_receiver(random, path)) return false;
   if (c >= 0 && !space.connect(c, path)) return false;
   return space.evaluate(part.l, part.m, path) && (c < 0 || space.visible(c, random, path));
 }
@@ -130,7 +132,11 @@ bool sample_part(const PathPart& part, PathSpace<M>& space, ChainRandom& random,
 template <class M>
 double density_over_f(const PathPart& part, const PathSpace<M>& space, const LightPath<M>& path) {
   const double technique_probability = 1.0 / part.splits(path.edges());
-  return path.density_between(part.l, part.m, double{space.image_area()}, [&](int) { return technique_probability; });
+  // Connections to x_0 choose the light for x_1; rays from x_0 start by its power.
+  const double choice = part.l < 0 ? double{choice_for_receiver(space.scene(), path)} : 1;
+  return path.density_between(part.l, part.m, double{space.image_area()}, [&](int c) {
+    return c == 0 && part.l < 0 ? technique_probability * choice : technique_probability;
+  });
 }
 
 // The deleted part of x and the added part of y.

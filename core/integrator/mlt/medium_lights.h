@@ -8,20 +8,21 @@
 namespace etendue::integrator {
 
 // Samples the start of a light path on a light or, with the probability `media_share`, in a medium; `stack` is set in
-// media only. `media`: the model has media that emit.
+// media only. `media`: the model has media that emit. The light is chosen for a receiver, or by its power without one.
 template <bool media>
 Emission sample_emission(const scene::CompiledScene& scene, float media_share, ChainRandom& random, float time,
-                         [[maybe_unused]] scene::MediumStack& stack) {
+                         [[maybe_unused]] scene::MediumStack& stack, const LightReceiver* receiver) {
   const float choice = random.next();
   const Vec2 point = random.next_2d(), direction = random.next_2d();
   const EmissionRandom numbers(choice, point, direction, time);
+  Emission e;
   if constexpr (media)
     if (media_share > 0) {
-      Emission e;
-      sample_start(scene, numbers, random.next(), media_share, e, stack);
+      sample_start(scene, numbers, random.next(), media_share, e, stack, receiver);
       return e;
     }
-  return scene.lights().sample_emission(numbers);
+  receiver ? scene.lights().sample_emission_for(*receiver, numbers, e) : scene.lights().sample_emission(numbers, e);
+  return e;
 }
 
 template <class M>

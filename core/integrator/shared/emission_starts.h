@@ -29,9 +29,9 @@ inline scene::MediumStack sample_start_in_medium(const scene::CompiledScene& sce
 }
 
 // A start in a medium with the probability `media_share`, otherwise on a light. The kind of the emission states which;
-// `stack` is set in media only.
+// `stack` is set in media only. The light is chosen for a receiver, or by its power without one.
 inline void sample_start(const scene::CompiledScene& scene, EmissionRandom random, float third, float media_share,
-                         Emission& e, scene::MediumStack& stack) {
+                         Emission& e, scene::MediumStack& stack, const LightReceiver* receiver = nullptr) {
   if (random.choice < media_share) {
     random.choice /= media_share;
     stack = sample_start_in_medium(scene, random, third, media_share, e);
@@ -39,7 +39,7 @@ inline void sample_start(const scene::CompiledScene& scene, EmissionRandom rando
   }
   const float light_share = 1 - media_share;
   random.choice = std::min((random.choice - media_share) / light_share, kOneMinusEpsilon);
-  scene.lights().sample_emission(random, e);
+  receiver ? scene.lights().sample_emission_for(*receiver, random, e) : scene.lights().sample_emission(random, e);
   e.weight /= light_share;
   e.density.first *= light_share;
 }

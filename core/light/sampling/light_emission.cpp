@@ -5,8 +5,18 @@
 namespace etendue {
 
 void LightTable::sample_emission(const EmissionRandom& random, Emission& e) const {
+  if (!empty()) sample_emission_of(selector_.choose_by_power(random.choice), random, e);
+}
+
+void LightTable::sample_emission_for(const LightReceiver& receiver, const EmissionRandom& random, Emission& e) const {
   if (empty()) return;
-  const LightSelector::Choice choice = selector_.choose_by_power(random.choice);
+  const bool by_tree = selector_.uses_tree(LightStrategy::emission_auto);
+  const LightSelector::Choice choice =
+      by_tree ? selector_.choose_by_tree(receiver, random.choice) : selector_.choose_by_power(random.choice);
+  if (choice.probability > 0) sample_emission_of(choice, random, e);
+}
+
+void LightTable::sample_emission_of(LightSelector::Choice choice, const EmissionRandom& random, Emission& e) const {
   e.light = choice.index;
   e.time = random.time;
   if (choice.index < primitives_.size())

@@ -115,6 +115,8 @@ class LightTable {
     sample_emission(random, e);
     return e;
   }
+  // The same of a light that is chosen for a receiver by LightStrategy::emission_auto. The densities contain that choice.
+  void sample_emission_for(const LightReceiver& receiver, const EmissionRandom& random, Emission& e) const;
   // Another direction from the same point; of a light at infinity another point of the same direction. Reads kind,
   // light, time, position and, of a light at infinity, direction.
   void resample_emission(Vec2 u, Emission& e) const;
@@ -138,6 +140,7 @@ class LightTable {
   float range_window(uint32_t light, float distance) const;
 
  private:
+  void sample_emission_of(LightSelector::Choice choice, const EmissionRandom& random, Emission& e) const;
   void find_points(std::span<const SelectableLight> lights);
 
   // `choose(i)` is the light of query i with its probability.

@@ -55,6 +55,17 @@ TEST(ManyLights, BidirectionalTechniquesAgree) {
   }
 }
 
+// Mutations of `mlt` connect a vertex to a light that is chosen for it by the tree.
+TEST(ManyLights, MetropolisMutationsAgree) {
+  for (const Document& place : {hall(24), hall_under_sky(), test::with_lens(hall_under_sky())}) {
+    Document d = test::with(test::with_integrator(place, "mlt"), "candidates", "4096");
+    for (const char* other : {"lens-perturbation", "caustic-perturbation", "multi-chain", "lens-subpath"})
+      d = test::with(d, other, "0");
+    const auto expected = test::replicated(test::with_integrator(place, "path"), 256, 9000);
+    test::expect_agreement(expected, test::replicated(test::with(d, "chains", "128"), 256, 10000), "mlt", 3);
+  }
+}
+
 double error_of(const Document& d, const std::string& lights) {
   const auto estimate = test::replicated(test::with(test::with_integrator(d, "path"), "path.lights", lights), 16);
   double sum = 0;
