@@ -2,13 +2,14 @@
 """Efficiency of `path` and `auto` relative to Cycles, on five scenes, interleaved in one run of `etendue bench` per scene.
 
     compare_with_cycles.py --data DATA [--scenes A,B,...] [--budget 10] [--repeats 2] [--size 512x512]
-                           [--methods path,auto] [--reference-time S] [--keep FOLDER]
+                           [--methods path,auto] [--reference-time S] [--reference-integrator NAME]
+                           [--keep FOLDER]
 
 The scenes are cornell-box, staircase2, veach-bidir, glass-caustic (built in), and mesh: a million triangles under a
 uniform sky. DATA is the folder that contains scenes/. Paths have at most eight segments, two threads. Efficiency is
 1 / (relMSE x seconds of rendering); the time for the choice of `auto` counts, the start-up of Cycles does not. `bias` is the
 difference of mean radiance between Cycles and the reference, with its standard error: materials that Cycles lacks are replaced by
-similar ones. Writes a table in Markdown. Needs Debian's packages blender and python3-numpy.
+similar ones. References are path-traced, unless another integrator is named. Writes a table in Markdown. Needs Debian's packages blender and python3-numpy.
 """
 import argparse
 import json
@@ -41,6 +42,15 @@ def scene_file(name, options, folder):
     return file
 
 
+def rendered_reference(file, name, options, folder):
+    """A reference by another integrator than the one of `etendue bench`."""
+    reference = folder / f"{name}-reference.exr"
+    subprocess.run([options.etendue, "render", file, "--size", options.size, "--time", str(options.reference_time), "--seed",
+                    "1000003", "--integrator", options.reference_integrator, "--set", f"max-depth={MAX_DEPTH}", "-o",
+                    reference], check=True, capture_output=True)
+    return reference
+
+
 def measure(name, options, folder):
     file = scene_file(name, options, folder)
     sky = "1,1,1" if name == "mesh" else "0,0,0"
@@ -53,7 +63,9 @@ def measure(name, options, folder):
     if name == "mesh":
         # Both programs see the sky behind the mesh.
         command += ["--env", "uniform", "--set", "environment.backdrop=false", "--set", "environment.visible=true"]
-    if options.reference_time:
+    if options.reference_integrator:
+        command += ["--reference", rendered_reference(file, name, options, folder)]
+    elif options.reference_time:
         command += ["--reference-time", str(options.reference_time)]
     # Blender takes the modules of the first python3 in PATH: that of Debian has numpy.
     environment = {**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"]}
@@ -85,6 +97,7 @@ def main():
     parser.add_argument("--size", default="512x512")
     parser.add_argument("--methods", default="path,auto")
     parser.add_argument("--reference-time", type=int, default=0)
+    parser.add_argument("--reference-integrator", help="needs --reference-time")
     parser.add_argument("--etendue", default=HERE.parent.parent / "build/release/app/cli/etendue")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the reports of etendue bench")
     options = parser.parse_args()

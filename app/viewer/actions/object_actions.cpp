@@ -113,7 +113,7 @@ void add_object_actions(ActionList& actions) {
                .tooltip = "Separates the selected objects from their parents. They keep their places",
                .shortcut = "ctrl+shift+p",
                .run = unparent_selected,
-               .enabled = has_selected_node,
+               .enabled = can_unparent_selected,
                .section = "object"});
   actions.add({.name = "light.solo",
                .menu = "Edit",

@@ -224,6 +224,12 @@ void parent_selected(AppState& state) {
   if (can_parent_selected(state)) set_parent(state, state.selection.others, state.selection.node);
 }
 
+bool can_unparent_selected(const AppState& state) {
+  return state.has_document() && std::ranges::any_of(selected_nodes(state), [&](int node) {
+           return scene_of(state).nodes[static_cast<size_t>(node)].parent >= 0;
+         });
+}
+
 void unparent_selected(AppState& state) {
   if (const auto nodes = selected_nodes(state); !nodes.empty()) set_parent(state, nodes, -1);
 }

@@ -43,6 +43,7 @@ void set_parent(AppState& state, const std::vector<int>& nodes, int parent);
 void parent_selected(AppState& state);
 void unparent_selected(AppState& state);
 bool can_parent_selected(const AppState& state);
+bool can_unparent_selected(const AppState& state);  // one of them has a parent
 
 // The nodes of the scene that have a light and that were not removed.
 const std::vector<int>& light_nodes(const AppState& state);

@@ -34,7 +34,7 @@
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces;
 //                 in media it blurs light over the ball
-//   Cost          first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample
+//   Cost          first 2 to 4 rays per photon and 34 bytes per stored photon (80 while they are sorted); then 2 + 2 gather rays per sample
 //                 with one lookup each
 //   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
 //                 and leak light. Near-specular surfaces receive point lights only directly.
@@ -74,7 +74,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .point_paths = "E.*(D|G|V).*L",
         .bias = Bias::biased,
         .cost =
-            "first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample "
+            "first 2 to 4 rays per photon and 34 bytes per stored photon (80 while they are sorted); then 2 + 2 gather "
+            "rays per sample "
             "with one lookup each",
         .limitations =
             "For any number of samples: caustics and contact shadows are blurred, few photons show as blotches. Direct "

@@ -27,8 +27,8 @@
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          consistent
-//   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon,
-//                 twice
+//   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 34 bytes per stored photon,
+//                 80 while they are sorted
 //   Limitations   Early samples are blurred, and light leaks through objects thinner than the radius. The error falls
 //                 as samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a
 //                 small part of the lit scene receive few photons.
@@ -55,8 +55,8 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
         .point_paths = "E.*(D|G|V).*L",
         .bias = Bias::consistent,
         .cost =
-            "per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon of a "
-            "sample, twice",
+            "per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 34 bytes per stored photon of a "
+            "sample, 80 while they are sorted",
         .limitations =
             "Early samples are blurred, and light leaks through objects thinner than the radius. The error falls as "
             "samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a small part "
