@@ -16,7 +16,7 @@ constexpr std::array kCosts{
     Cost{"path-pure", 0.85},  Cost{"path", 1},          Cost{"path-guided", 1.9}, Cost{"path-control", 1.1},
     Cost{"path-manifold", 2.2}, Cost{"light-pure", 1.25}, Cost{"light", 1.1},       Cost{"bdpt", 1.2},
     Cost{"bdpt-guided", 1.9}, Cost{"vcm", 2},           Cost{"mlt", 2.4},         Cost{"pssmlt", 1.7},
-    Cost{"photonmap", 12},    Cost{"sppm", 1.9},        Cost{"igi", 0.6},         Cost{"radiosity", 1}};
+    Cost{"photonmap", 5.8},   Cost{"sppm", 1.4},        Cost{"igi", 0.6},         Cost{"radiosity", 1}};
 
 const Cost* find(std::string_view integrator) {
   const auto* found = std::ranges::find(kCosts, integrator, &Cost::integrator);

@@ -50,7 +50,7 @@ class PhotonMap {
   std::vector<Photon> photons() const;
   size_t memory() const {
     return source_.capacity() * sizeof(Photon) + order_.capacity() * sizeof(Place) +
-           blocks_.capacity() * sizeof(PhotonBlock) + tree_.memory();
+           blocks_.capacity() * sizeof(PhotonBlock) + areas_.capacity() * sizeof(float) + tree_.memory();
   }
 
   // The nearest `count` photons (at least one) that lie on the same surface (distance2_on_surface) at less than the root of
