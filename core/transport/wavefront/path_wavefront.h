@@ -325,7 +325,6 @@ class PathWavefront {
     media_.set_weight(static_cast<size_t>(last_connection()), weight);
   }
   static void set_connection_weight(float) {}
-  // The number of the last connection.
   int last_connection() const { return connections_ - 1; }
   // Traces the pending shadow rays now if there is no room for one more per current hit.
   void reserve_connections(int count) {
