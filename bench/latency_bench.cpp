@@ -6,7 +6,7 @@
 // second and measures the age of the newest frame. A third test measures the throughput of a session that delivers frames,
 // relative to a batch renderer.
 //
-//   latency_bench [EDITS]
+//   latency_bench [EDITS] [FILE...]
 //
 // The default is 200 edits of each kind, on staircase2 and ToyCar from ETENDUE_TEST_DATA. The exit code is 1 if a bound
 // is exceeded.
@@ -174,12 +174,16 @@ class Bench {
 int main(int argc, char** argv) {
   using namespace etendue;
   const int edits = argc > 1 ? std::atoi(argv[1]) : 200;
-  const std::string data = test::data_folder();
-  if (data.empty()) return std::fprintf(stderr, "latency_bench: set ETENDUE_TEST_DATA\n"), 2;
+  std::vector<std::string> files(argv + std::min(argc, 2), argv + argc);
+  if (files.empty()) {
+    const std::string data = test::data_folder();
+    if (data.empty()) return std::fprintf(stderr, "latency_bench: set ETENDUE_TEST_DATA\n"), 2;
+    files = {data + "/scenes/staircase2/staircase2.glb", data + "/gltf/ToyCar/glTF/ToyCar.gltf"};
+  }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // a run takes minutes
   bool fine = true;
-  for (const char* file : {"/scenes/staircase2/staircase2.glb", "/gltf/ToyCar/glTF/ToyCar.gltf"}) {
-    auto document = render::new_document(data + file);
+  for (const std::string& file : files) {
+    auto document = render::new_document(file);
     if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
     for (const int scale : {1, 2}) {
       document->width = scale * 1280;

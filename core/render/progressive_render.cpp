@@ -48,6 +48,7 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   shows_substitute_ = shows_substitute_ && document.method.integrator == document_.method.integrator;
   document_ = std::move(document);
   scene_ = std::move(scene);
+  scene_memory_ = scene_->memory();
   film_is_stale_ = !start;
   if (start) film_.resume(document_, std::move(start->film), start->tails);
   // The new renderer may reuse data of the old one, which is destroyed afterwards.
@@ -312,7 +313,7 @@ void ProgressiveRender::write_initial_status(Status& status) const {
   status.incompatibility = incompatibility(document_, *scene_);
   status.notes = renderer_->notes();
   status.samples = samples_;
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory();
+  status.memory = scene_memory_ + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory();
 }
 
 void ProgressiveRender::write_status(Status& status, bool finished) {
@@ -333,7 +334,7 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   write_focus(status);
   write_limit(status);
-  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory() +
+  status.memory = scene_memory_ + embree_memory() + SessionFilm::memory(document_) + preview_films_.memory() +
                   film_.film().rounding_errors().memory() + renderer_->memory();
   write_phase(status, *renderer_);
   status.finished = finished;

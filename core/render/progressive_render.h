@@ -99,6 +99,7 @@ class ProgressiveRender {
 
   Document document_;
   std::shared_ptr<const scene::CompiledScene> scene_;
+  size_t scene_memory_ = 0;
   std::shared_ptr<integrator::PathLayerRecording> layers_;  // null: no layers of the paths; outlives the renderer
   std::unique_ptr<Renderer> renderer_;
   SessionFilm film_;

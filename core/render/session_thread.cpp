@@ -195,6 +195,7 @@ class Session::Impl {
       restart_latencies_.push_back(1000 * seconds_since(edit.submitted));
       status_.phase = "compiling";
     }
+    const Clock::time_point start = Clock::now();
     const bool protects_first_frame = render_.awaits_first_frame();
     submitted_ = edit.submitted;
     const bool shares = begin_sharing(edit);
@@ -205,7 +206,9 @@ class Session::Impl {
     const double preview_seconds =
         protects_first_frame ? kProtectedPreviewSeconds : std::max(kLeastPreviewSeconds, time_left);
     render_.begin(std::move(edit.document), compiled, std::move(edit.start), preview_seconds, shares);
-    protected_until_ = protects_first_frame ? Clock::now() + duration_of(kProtectedSeconds) : Clock::time_point();
+    // Not shorter than the preparation: it would be in vain.
+    const double protected_seconds = std::max(kProtectedSeconds, seconds_since(start));
+    protected_until_ = protects_first_frame ? Clock::now() + duration_of(protected_seconds) : Clock::time_point();
     const std::lock_guard lock(mutex_);
     compiled_scene_ = compiled;
     model_ = render_.model();

@@ -333,8 +333,13 @@ size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
                  lights_->triangles().size() * (sizeof(AreaLightTriangle) + 16);
   std::unordered_map<const void*, size_t> shared;  // each shared array counts once
+  const Mesh* last = nullptr;
   for (const auto& instance : *instances_) {
-    shared[instance.mesh.get()] = instance.mesh->memory();
+    // Most instances of many follow one of the same mesh.
+    if (instance.mesh.get() != last) {
+      last = instance.mesh.get();
+      shared[last] = last->memory();
+    }
     if (instance.emitting) shared[instance.emitting.get()] = instance.emitting->numbers.size() * sizeof(uint32_t);
   }
   for (const auto& texture : *textures_)

@@ -71,6 +71,7 @@ class Compiler {
     if (!previous_) return false;
     const Scene& old = previous_->description();
     if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
+    if (scene_.get() == &old) return true;  // an edit of the camera
     if (scene_->time != old.time || scene_->clip != old.clip || scene_->roots != old.roots ||
         scene_->skins != old.skins || scene_->animations != old.animations ||
         scene_->meshes.size() != old.meshes.size() || scene_->nodes.size() != old.nodes.size())
@@ -355,7 +356,7 @@ class Compiler {
     const Scene& old = previous_->description();
     if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
     if (!(scene_->atmosphere == old.atmosphere)) return false;
-    if (portals() != previous_->lights_->portals().all()) return false;
+    if (result_->report_.top_level_built && portals() != previous_->lights_->portals().all()) return false;
     if (result_->report_.materials_built && !same_emission(*scene_, old)) return false;
     if (!result_->report_.top_level_built) return true;
     const Bounds &a = result_->bounds_, &b = previous_->bounds_;

@@ -10,14 +10,39 @@ namespace {
 
 using scene::CompiledScene;
 
-// The first material in use for which `test` holds, or null.
-template <class Test>
-const SurfaceMaterial* find_used(const CompiledScene& scene, Test&& test) {
+using Materials = std::vector<const SurfaceMaterial*>;
+
+// The number of materials that surfaces can have: those of all meshes, and of lights with a surface.
+size_t count_of_possible(const CompiledScene& scene) {
+  const size_t all = scene.materials().size(), of_meshes = scene.description().materials.size();
+  std::vector<bool> possible(all);
+  std::fill(possible.begin() + static_cast<std::ptrdiff_t>(std::min(of_meshes, all)), possible.end(), true);
+  for (const scene::MeshGroup& mesh : scene.description().meshes)
+    for (const scene::Primitive& primitive : mesh.primitives) possible[static_cast<size_t>(primitive.material)] = true;
+  return static_cast<size_t>(std::ranges::count(possible, true));
+}
+
+// The materials of surfaces, in the order of the instances. There may be a million instances, but seldom as many
+// materials: the search ends when all were seen.
+Materials used_materials(const CompiledScene& scene) {
+  const std::vector<SurfaceMaterial>& all = scene.materials();
+  const size_t count = count_of_possible(scene);
+  std::vector<bool> seen(all.size());
+  Materials used;
   for (const auto& instance : scene.instances()) {
-    const SurfaceMaterial& material = scene.materials()[instance.material];
-    if (test(material)) return &material;
+    if (seen[instance.material]) continue;
+    seen[instance.material] = true;
+    used.push_back(&all[instance.material]);
+    if (used.size() == count) break;
   }
-  return nullptr;
+  return used;
+}
+
+// The first material for which `test` holds, or null.
+template <class Test>
+const SurfaceMaterial* find_in(const Materials& materials, Test&& test) {
+  const auto found = std::ranges::find_if(materials, [&](const SurfaceMaterial* m) { return test(*m); });
+  return found == materials.end() ? nullptr : *found;
 }
 
 std::string node_name(const CompiledScene& scene, uint32_t node) {
@@ -46,8 +71,8 @@ std::string medium_with_spectrum(const CompiledScene& scene) {
 
 // RGB or spectral, which is needed if the index of refraction of a visible material depends on the wavelength, or if an
 // emitter or a medium has a spectrum.
-Decision decide_color(const CompiledScene& scene, ColorMode mode) {
-  const auto* dispersive = find_used(scene, [](const auto& m) { return m.disperses(); });
+Decision decide_color(const CompiledScene& scene, const Materials& used, ColorMode mode) {
+  const auto* dispersive = find_in(used, [](const auto& m) { return m.disperses(); });
   const std::string emitter = scene.emitter_with_spectrum(), medium = medium_with_spectrum(scene);
   Decision d{"colour", "RGB", "RGB", "no material disperses light, and no emitter or medium has a spectrum"};
   if (dispersive)
@@ -62,9 +87,9 @@ Decision decide_color(const CompiledScene& scene, ColorMode mode) {
 }
 
 // Only Lambertian lobes, the lobes of most glTF files, or all lobes.
-Decision decide_surfaces(const CompiledScene& scene, bool forced) {
-  const auto* shiny = find_used(scene, [](const auto& m) { return !m.is_lambertian; });
-  const auto* rare = find_used(scene, [](const auto& m) { return !m.uses_standard_lobes; });
+Decision decide_surfaces(const Materials& used, bool forced) {
+  const auto* shiny = find_in(used, [](const auto& m) { return !m.is_lambertian; });
+  const auto* rare = find_in(used, [](const auto& m) { return !m.uses_standard_lobes; });
   Decision d{"surfaces", "diffuse", "diffuse", "every surface is Lambertian"};
   if (shiny) d.needed = "standard", d.reason = named(*shiny) + " is not Lambertian";
   if (rare) d.needed = "any", d.reason = named(*rare) + " has a reflection model or a layer of its own";
@@ -141,16 +166,17 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   const auto is_forced = [&](const char* flag) {
     return std::find(forced.begin(), forced.end(), flag) != forced.end();
   };
+  const Materials used = used_materials(scene);
   Model model;
   auto& out = model.decisions;
-  out.push_back(decide_color(scene, color));
+  out.push_back(decide_color(scene, used, color));
   model.spectral = out[0].value == "spectral";
-  out.push_back(decide_surfaces(scene, is_forced("surfaces")));
+  out.push_back(decide_surfaces(used, is_forced("surfaces")));
   out.push_back(decide_media(scene, is_forced("media")));
-  const auto* clear = find_used(scene, [](const auto& m) { return m.has_alpha; });
+  const auto* clear = find_in(used, [](const auto& m) { return m.has_alpha; });
   out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
                  clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});
-  const auto* textured = find_used(scene, [](const auto& m) { return m.has_textures; });
+  const auto* textured = find_in(used, [](const auto& m) { return m.has_textures; });
   out.push_back({"textures", textured ? "textured" : "constant", textured ? "textured" : "constant",
                  textured ? named(*textured) + " has a texture" : "no material has a texture"});
   const bool moves = !scene.moving().empty();
