@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>> kPreparations{
     {"object.hide", {"add.box"}},
     {"light.solo", {"add.light.point"}},
     {"object.parent", {"add.box", "shift+image"}},
-    {"object.unparent", {"add.box"}},
+    {"object.unparent", {"add.box", "shift+image", "object.parent"}},
     {"material.duplicate", {"material.add"}},
     {"material.delete", {"material.add"}},
     {"material.copy", {"material.add"}},
