@@ -2,6 +2,7 @@
 """Measures how time and memory grow with the size of a scene or of a rendering.
 
     growth.py [KIND...] -o FOLDER [--largest N] [--steps 5] [--repeats 3] [--seconds 1] [--integrator path]
+    growth.py KIND -o FOLDER --write N    only writes the scene of this size
 
 KIND (all by default):
     triangles   a height field of N triangles in the same area, under a uniform sky
@@ -253,6 +254,7 @@ def main():
     parser.add_argument("kinds", nargs="*", metavar="KIND")
     parser.add_argument("-o", "--out", required=True)
     parser.add_argument("--largest", type=int, default=0, help="largest size of each kind")
+    parser.add_argument("--write", type=int, metavar="N", help="only write the scenes of this size")
     parser.add_argument("--steps", type=int, default=5, help="number of sizes")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=1, help="processor time of a rendering")
@@ -265,6 +267,10 @@ def main():
             parser.error(f"{kind} is not one of {', '.join(KINDS)}")
     out = pathlib.Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
+    if options.write:
+        for kind in options.kinds:
+            print(scene_of(kind, options.write, out)[0])
+        return
     results = {}
     print("| kind | sizes | time of a sample, us per pixel | exponent | start-up, s | exponent | memory, MiB | exponent |")
     print("|---|---|---|---:|---|---:|---|---:|")

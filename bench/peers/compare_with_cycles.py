@@ -9,7 +9,8 @@ The scenes are cornell-box, staircase2, veach-bidir, glass-caustic (built in), a
 uniform sky. DATA is the folder that contains scenes/. Paths have at most eight segments, two threads. Efficiency is
 1 / (relMSE x seconds of rendering); the time for the choice of `auto` counts, the start-up of Cycles does not. `bias` is the
 difference of mean radiance between Cycles and the reference, with its standard error: materials that Cycles lacks are replaced by
-similar ones. References are path-traced, unless another integrator is named. Writes a table in Markdown. Needs Debian's packages blender and python3-numpy.
+similar ones. References are path-traced, unless another integrator is named. Writes a table in Markdown. Needs Debian's
+packages blender and python3-numpy.
 """
 import argparse
 import json
@@ -45,9 +46,9 @@ def scene_file(name, options, folder):
 def rendered_reference(file, name, options, folder):
     """A reference by another integrator than the one of `etendue bench`."""
     reference = folder / f"{name}-reference.exr"
-    subprocess.run([options.etendue, "render", file, "--size", options.size, "--time", str(options.reference_time), "--seed",
-                    "1000003", "--integrator", options.reference_integrator, "--set", f"max-depth={MAX_DEPTH}", "-o",
-                    reference], check=True, capture_output=True)
+    subprocess.run([options.etendue, "render", file, "--size", options.size, "--time", str(options.reference_time),
+                    "--seed", "1000003", "--integrator", options.reference_integrator, "--set",
+                    f"max-depth={MAX_DEPTH}", "-o", reference], check=True, capture_output=True)
     return reference
 
 
@@ -101,6 +102,8 @@ def main():
     parser.add_argument("--etendue", default=HERE.parent.parent / "build/release/app/cli/etendue")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the reports of etendue bench")
     options = parser.parse_args()
+    if options.reference_integrator and not options.reference_time:
+        parser.error("--reference-integrator needs --reference-time")
     methods = options.methods.split(",")
     print("| scene | seconds | " + " | ".join(f"`{m}` / Cycles" for m in methods) +
           " | relMSE of Cycles | bias | reference |", flush=True)

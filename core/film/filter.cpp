@@ -101,7 +101,6 @@ Filter::PositionTable Filter::tabulate_positions(FilterKind kind) {
 }
 
 ETENDUE_VECTORIZE void Filter::sample_all(float* u, size_t count) const {
-#pragma GCC ivdep
   for (size_t i = 0; i < padded_lanes(count); ++i) u[i] = inverse(u[i]);
 }
 

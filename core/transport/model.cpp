@@ -12,13 +12,14 @@ using scene::CompiledScene;
 
 using Materials = std::vector<const SurfaceMaterial*>;
 
-// The number of materials that surfaces can have: those of all meshes, and of lights with a surface.
-size_t count_of_possible(const CompiledScene& scene) {
+// The number of materials of meshes and of lights with a surface.
+size_t count_materials_of_surfaces(const CompiledScene& scene) {
   const size_t all = scene.materials().size(), of_meshes = scene.description().materials.size();
   std::vector<bool> possible(all);
   std::fill(possible.begin() + static_cast<std::ptrdiff_t>(std::min(of_meshes, all)), possible.end(), true);
   for (const scene::MeshGroup& mesh : scene.description().meshes)
-    for (const scene::Primitive& primitive : mesh.primitives) possible[static_cast<size_t>(primitive.material)] = true;
+    for (const scene::Primitive& primitive : mesh.primitives)
+      if (const auto number = static_cast<size_t>(primitive.material); number < all) possible[number] = true;
   return static_cast<size_t>(std::ranges::count(possible, true));
 }
 
@@ -26,7 +27,7 @@ size_t count_of_possible(const CompiledScene& scene) {
 // materials: the search ends when all were seen.
 Materials used_materials(const CompiledScene& scene) {
   const std::vector<SurfaceMaterial>& all = scene.materials();
-  const size_t count = count_of_possible(scene);
+  const size_t count = count_materials_of_surfaces(scene);
   std::vector<bool> seen(all.size());
   Materials used;
   for (const auto& instance : scene.instances()) {

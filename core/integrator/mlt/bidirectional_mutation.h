@@ -123,7 +123,10 @@ bool sample_part(const PathPart& part, PathSpace<M>& space, ChainRandom& random,
     if (!(i == k ? space.trace_from_camera(space.image_point(random.next_2d()), lens, random, path)
                  : space.scatter_to_light(i, random, path)))
       return false;
-  if (for_receiver && !space.sample_light_for_receiver(random, path)) return false;
+  if (for_receiver) {
+    const LightReceiver receiver = receiver_of_light(path);
+    if (!space.sample_light(random, path, &receiver)) return false;
+  }
   if (c >= 0 && !space.connect(c, path)) return false;
   return space.evaluate(part.l, part.m, path) && (c < 0 || space.visible(c, random, path));
 }

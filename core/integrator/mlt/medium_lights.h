@@ -8,7 +8,7 @@
 namespace etendue::integrator {
 
 // Samples the start of a light path on a light or, with the probability `media_share`, in a medium; `stack` is set in
-// media only. `media`: the model has media that emit. The light is chosen for a receiver, or by its power without one.
+// media only. `media`: the model has media that emit. `receiver`: see sample_light_start.
 template <bool media>
 Emission sample_emission(const scene::CompiledScene& scene, float media_share, ChainRandom& random, float time,
                          [[maybe_unused]] scene::MediumStack& stack, const LightReceiver* receiver) {
@@ -21,7 +21,7 @@ Emission sample_emission(const scene::CompiledScene& scene, float media_share, C
       sample_start(scene, numbers, random.next(), media_share, e, stack, receiver);
       return e;
     }
-  receiver ? scene.lights().sample_emission_for(*receiver, numbers, e) : scene.lights().sample_emission(numbers, e);
+  sample_light_start(scene, numbers, receiver, e);
   return e;
 }
 

@@ -59,12 +59,39 @@ class PathSpace {
 
   // ---- Subpaths from the light.
 
-  // Samples x_0; for infinite lights, its direction. The light is chosen by its power.
-  bool sample_light(ChainRandom& random, Path& path) { return sample_light(random, path, nullptr); }
-  // The same with a light chosen for x_1, a vertex that the camera subpath has found.
-  bool sample_light_for_receiver(ChainRandom& random, Path& path) {
-    const LightReceiver receiver = receiver_of_light(path);
-    return sample_light(random, path, &receiver);
+  // Samples x_0; for infinite lights, its direction. The light tree chooses the light for a receiver; without one, the light
+  // is chosen by its power.
+  bool sample_light(ChainRandom& random, Path& path, const LightReceiver* receiver = nullptr) {
+    scene::MediumStack stack;
+    const Emission e = sample_emission<M::kScattering>(*scene_, media_share_, random, path.time, stack, receiver);
+    if (!(e.density.first > 0)) return false;
+    if constexpr (M::kScattering)
+      if (e.kind == LightKind::medium) {
+        start_in_medium(e, stack, path);
+        return true;
+      }
+    path.light.kind = e.kind;
+    path.light.number = e.light;
+    path.light.infinite = e.density.infinite;
+    path.light.extended = !e.density.delta;
+    Vertex& x = path[0];
+    x.delta = false;
+    if constexpr (M::kMedia) x.media.interface.clear({});
+    leave_volume(x);
+    if (e.kind == LightKind::triangle) {
+      scene_->locate(e, x.hit, x.traced_from);
+      build_surface(x, path.time);
+    } else {
+      x.point.position = e.position;
+      x.direction = e.direction;
+    }
+    if constexpr (M::kMedia) {
+      Ray ray;
+      ray.origin = x.point.position;
+      if (e.kind == LightKind::triangle) x.point.spawn(x.traced_from, ray);
+      scene_->find_media_at_light(e, e.kind == LightKind::triangle ? &x.point : nullptr, ray.origin, x.media.interface);
+    }
+    return true;
   }
 
   // Samples x_1 from x_0.
@@ -215,39 +242,6 @@ class PathSpace {
   }
 
  private:
-  bool sample_light(ChainRandom& random, Path& path, const LightReceiver* receiver) {
-    scene::MediumStack stack;
-    const Emission e = sample_emission<M::kScattering>(*scene_, media_share_, random, path.time, stack, receiver);
-    if (!(e.density.first > 0)) return false;
-    if constexpr (M::kScattering)
-      if (e.kind == LightKind::medium) {
-        start_in_medium(e, stack, path);
-        return true;
-      }
-    path.light.kind = e.kind;
-    path.light.number = e.light;
-    path.light.infinite = e.density.infinite;
-    path.light.extended = !e.density.delta;
-    Vertex& x = path[0];
-    x.delta = false;
-    if constexpr (M::kMedia) x.media.interface.clear({});
-    leave_volume(x);
-    if (e.kind == LightKind::triangle) {
-      scene_->locate(e, x.hit, x.traced_from);
-      build_surface(x, path.time);
-    } else {
-      x.point.position = e.position;
-      x.direction = e.direction;
-    }
-    if constexpr (M::kMedia) {
-      Ray ray;
-      ray.origin = x.point.position;
-      if (e.kind == LightKind::triangle) x.point.spawn(x.traced_from, ray);
-      scene_->find_media_at_light(e, e.kind == LightKind::triangle ? &x.point : nullptr, ray.origin, x.media.interface);
-    }
-    return true;
-  }
-
   const transport::Automaton& automaton() const { return context_->model->paths->automaton(); }
 
   static bool sample(Vertex& x, const Vec3& wo, TransportMode mode, ChainRandom& random, LobeSample<Color>& s) {

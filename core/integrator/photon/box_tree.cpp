@@ -9,7 +9,7 @@ BoxBlock::BoxBlock() {
   for (auto* values : {&max_x, &max_y, &max_z}) values->fill(-kInfinity);
 }
 
-void BoxBlock::set(size_t i, const Box& box) {
+void BoxBlock::set(size_t i, const Bounds& box) {
   min_x[i] = box.min.x;
   min_y[i] = box.min.y;
   min_z[i] = box.min.z;
@@ -18,13 +18,13 @@ void BoxBlock::set(size_t i, const Box& box) {
   max_z[i] = box.max.z;
 }
 
-Box BoxBlock::bounds() const {
+Bounds BoxBlock::bounds() const {
   const auto least = [](const auto& values) { return *std::ranges::min_element(values); };
   const auto most = [](const auto& values) { return *std::ranges::max_element(values); };
   return {{least(min_x), least(min_y), least(min_z)}, {most(max_x), most(max_y), most(max_z)}};
 }
 
-void BoxTree::build(std::span<const Box> boxes) {
+void BoxTree::build(std::span<const Bounds> boxes) {
   blocks_.clear();
   levels_ = 0;
   const auto add_level = [&](size_t count, const auto& box_of) {

@@ -1,7 +1,7 @@
 // A tree of bounding boxes with sixteen children per node, which are tested at once.
 //
-// It stands over parts in the order of a space-filling curve. Node i of a level has the children 16 i to 16 i + 15 of the
-// level below, so there are no pointers.
+// Its parts are in the order of a space-filling curve. Node i of a level has the children 16 i to 16 i + 15 of the level
+// below, so there are no pointers.
 #pragma once
 #include <array>
 #include <bit>
@@ -10,17 +10,9 @@
 #include <vector>
 
 #include "base/vectorize.h"
+#include "geometry/mesh.h"
 
 namespace etendue::photon {
-
-struct Box {
-  Vec3 min{kInfinity}, max{-kInfinity};  // empty
-
-  void add(const Vec3& p) {
-    min = glm::min(min, p);
-    max = glm::max(max, p);
-  }
-};
 
 // The boxes of the children of a node.
 struct BoxBlock {
@@ -28,13 +20,13 @@ struct BoxBlock {
   using Distances = std::array<float, kSize>;
 
   BoxBlock();  // of empty boxes
-  void set(size_t i, const Box& box);
-  Box bounds() const;
+  void set(size_t i, const Bounds& box);
+  Bounds bounds() const;
 
-  Box operator[](size_t i) const { return {{min_x[i], min_y[i], min_z[i]}, {max_x[i], max_y[i], max_z[i]}}; }
+  Bounds operator[](size_t i) const { return {{min_x[i], min_y[i], min_z[i]}, {max_x[i], max_y[i], max_z[i]}}; }
 
   // The squared distances to a region. They are at most those of the points in the boxes, also after rounding.
-  void find_distances(const Box& region, Distances& distances2) const {
+  void find_distances(const Bounds& region, Distances& distances2) const {
     const auto gap = [](float below, float above) { return std::max(std::max(below, above), 0.0f); };
 #pragma GCC ivdep
     for (size_t i = 0; i < kSize; ++i)
@@ -65,15 +57,15 @@ inline uint32_t bits_below(const std::array<float, 16>& values, float limit) {
 class BoxTree {
  public:
   // `boxes` of the parts.
-  void build(std::span<const Box> boxes);
+  void build(std::span<const Bounds> boxes);
   size_t memory() const { return blocks_.capacity() * sizeof(BoxBlock); }
 
-  Box box(uint32_t part) const { return blocks_[part / BoxBlock::kSize][part % BoxBlock::kSize]; }
+  Bounds box(uint32_t part) const { return blocks_[part / BoxBlock::kSize][part % BoxBlock::kSize]; }
   // A part whose box is close to a point; the tree must not be empty.
   uint32_t find_close(const Vec3& position) const;
   // Calls visit(part) for the parts whose boxes are nearer to a region than the root of `distance2`.
   template <class Visit>
-  void visit_within(const Box& region, float distance2, const Visit& visit) const;
+  void visit_within(const Bounds& region, float distance2, const Visit& visit) const;
   // Calls visit(part) for the parts whose boxes overlap a ball, nearer ones first; it returns the squared radius of the
   // ball from there on.
   template <class Visit>
@@ -102,7 +94,7 @@ inline uint32_t BoxTree::find_close(const Vec3& position) const {
 }
 
 template <class Visit>
-void BoxTree::visit_within(const Box& region, float distance2, const Visit& visit) const {
+void BoxTree::visit_within(const Bounds& region, float distance2, const Visit& visit) const {
   struct Pending {
     uint32_t level, number;  // of a block
   };

@@ -1,5 +1,5 @@
-// Order of points along a Hilbert curve through a cube. Points that are neighbours in this order are close to each other,
-// and consecutive groups of them have compact bounding boxes.                                            [Skilling 2004]
+// The order of points along a Hilbert curve through a cube. Points that are neighbours in this order are close to each
+// other, and consecutive groups of them have compact bounding boxes.                                     [Skilling 2004]
 #pragma once
 #include "base/vectorize.h"
 

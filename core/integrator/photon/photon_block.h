@@ -46,9 +46,10 @@ inline void find_distances(const PhotonBlock& block, const Vec3& position, Block
     distances2[i] = sqr(block.x[i] - position.x) + sqr(block.y[i] - position.y) + sqr(block.z[i] - position.z);
 }
 
-// The squared distance of a photon to a point, infinite if it cannot lie on the same surface as the point: its normal is
-// less than 60 degrees away, and it is less than 30 degrees above or below the tangent plane. This excludes photons beyond
-// edges and on the other side of thin walls. On curved surfaces the criterion becomes exact as the disc shrinks.
+// The squared distance of a photon to a point. It is infinite if the photon cannot lie on the same surface: its normal
+// must be less than 60 degrees away, and it must be less than 30 degrees above or below the tangent plane. This excludes
+// photons beyond edges and on the other side of thin walls. On curved surfaces the criterion becomes exact as the disc
+// shrinks.
 //
 // Bitwise operations, because branches would keep loops from being vectorised.
 inline float distance2_on_surface(const PhotonBlock& block, size_t i, const Vec3& position, const Vec3& normal) {

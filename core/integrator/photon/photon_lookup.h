@@ -207,14 +207,14 @@ class GroupedLookups {
   GroupedLookups(transport::PathWavefront<M>& paths, const photon::PhotonMap& map, int first,
                  const IsLookedUp& is_looked_up, const Radius2& radius2)
       : paths_(paths), map_(map) {
-    photon::Box box;
+    Bounds box;
     float largest2 = 0;
     for (int i = first; i < std::min(first + kSize, paths.hit_count()); ++i) {
       if (!is_looked_up(i)) continue;
       hits_[count_] = i;
       radii2_[count_] = radius2(i);
       largest2 = std::max(largest2, radii2_[count_++]);
-      box.add(paths.point(i).position);
+      box.extend(paths.point(i).position);
     }
     const Vec3 size = box.max - box.min;
     is_close_ = count_ > 1 && glm::dot(size, size) < kMaxSize2 * largest2;

@@ -32,16 +32,16 @@ std::vector<uint64_t> curve_positions(std::span<const Photon> photons) {
   return positions;
 }
 
-// The area of the largest side of a box, divided by pi: for flat boxes, the mean of the squared radius of a disc of this
-// area.
-float disc_radius2(const Box& box) {
-  const Vec3 size = box.max - box.min;
-  return std::max({size.x * size.y, size.y * size.z, size.z * size.x}) / kPi;
+// The squared radius of a disc for so many photons at the density of a leaf, whose box is flat on most surfaces.
+float estimated_radius2(const Bounds& leaf, size_t count) {
+  const Vec3 size = leaf.max - leaf.min;
+  const float area = std::max({size.x * size.y, size.y * size.z, size.z * size.x});
+  return static_cast<float>(count) / PhotonBlock::kSize * area / kPi;
 }
 
-Box box_of(const PhotonBlock& block, size_t count) {
-  Box box;
-  for (size_t i = 0; i < count; ++i) box.add({block.x[i], block.y[i], block.z[i]});
+Bounds box_of(const PhotonBlock& block, size_t count) {
+  Bounds box;
+  for (size_t i = 0; i < count; ++i) box.extend({block.x[i], block.y[i], block.z[i]});
   return box;
 }
 
@@ -71,12 +71,10 @@ void PhotonMap::build_piece(int piece) {
 }
 
 void PhotonMap::end() {
-  std::vector<Box> boxes(blocks_.size());
+  std::vector<Bounds> boxes(blocks_.size());
   for (size_t i = 0; i < boxes.size(); ++i)
     boxes[i] = box_of(blocks_[i], std::min(PhotonBlock::kSize, size_ - i * PhotonBlock::kSize));
   tree_.build(boxes);
-  areas_.resize(boxes.size());
-  for (size_t i = 0; i < boxes.size(); ++i) areas_[i] = disc_radius2(boxes[i]) / PhotonBlock::kSize;
   std::vector<Photon>().swap(source_);
   std::vector<Place>().swap(order_);
 }
@@ -94,8 +92,8 @@ std::vector<Photon> PhotonMap::photons() const {
   return all;
 }
 
-// The search starts within an estimated radius, which grows if there are too few photons. When there are twice as many as
-// wanted, about the nearest half of them bounds the rest of the search.
+// The search starts within an estimated radius, which grows if there are too few photons. When there are twice as many
+// as wanted, about the nearest half of them bounds the rest of the search.
 template <class Find>
 void PhotonMap::find_nearest_by(const Vec3& position, size_t count, float max_distance2, const Find& find,
                                 Neighbourhood& nearest) const {
@@ -103,7 +101,7 @@ void PhotonMap::find_nearest_by(const Vec3& position, size_t count, float max_di
   if (blocks_.empty()) return;
   constexpr float kMargin = 1.5f;
   constexpr int kMaxTrials = 4;
-  float radius2 = kMargin * static_cast<float>(count) * areas_[tree_.find_close(position)];
+  float radius2 = kMargin * estimated_radius2(tree_.box(tree_.find_close(position)), count);
   for (int trial = 1; nearest.size() < count && nearest.radius2() < max_distance2; ++trial) {
     if (trial == kMaxTrials || !(radius2 < max_distance2)) radius2 = max_distance2;
     nearest.begin(radius2);
@@ -157,7 +155,7 @@ ETENDUE_VECTORIZE void PhotonMap::find_within(const Vec3& position, const Vec3& 
       found);
 }
 
-ETENDUE_VECTORIZE void PhotonMap::find_leaves(const Box& points, float distance2, LeafGroup& group) const {
+ETENDUE_VECTORIZE void PhotonMap::find_leaves(const Bounds& points, float distance2, LeafGroup& group) const {
   group.clear();
   tree_.visit_within(points, distance2, [&](uint32_t leaf) { group.add(leaf, tree_.box(leaf)); });
 }

@@ -1,10 +1,10 @@
 // Photons in blocks of sixteen, under a tree of bounding boxes.                  [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
 //
-// The photons are sorted along a Hilbert curve (hilbert_curve.h). Leaves are blocks of sixteen of them (photon_block.h);
-// the nodes above have sixteen children (box_tree.h). Lookups test sixteen boxes or photons at once. A balanced kd-tree has
-// as many leaves, but takes longer to build: its lookups visit more leaves, and decide at each node which half is nearer.
+// The photons are sorted along a Hilbert curve (hilbert_curve.h). Leaves are blocks of sixteen photons (photon_block.h).
+// The nodes above them have sixteen children (box_tree.h). Lookups test sixteen boxes or photons at once. A balanced
+// kd-tree takes longer to build, and its lookups take more decisions [docs/results/performance.md].
 //
-// The order of `kPieces` parts of the curve is found in parallel.
+// The photons are divided into `kPieces` pieces of the curve, which are sorted in parallel.
 #pragma once
 #include <span>
 #include <vector>
@@ -24,7 +24,7 @@ struct LeafGroup {
     leaves.clear();
     boxes.clear();
   }
-  void add(uint32_t leaf, const Box& box) {
+  void add(uint32_t leaf, const Bounds& box) {
     const size_t i = leaves.size() % BoxBlock::kSize;
     if (i == 0) boxes.emplace_back();
     boxes.back().set(i, box);
@@ -34,7 +34,7 @@ struct LeafGroup {
 
 class PhotonMap {
  public:
-  // The number of parts that can be sorted in parallel.
+  // The number of pieces that can be sorted in parallel.
   static constexpr int kPieces = 16;
 
   // Builds the map: `begin`, then every `build_piece` in any order, then `end`.
@@ -50,10 +50,10 @@ class PhotonMap {
   std::vector<Photon> photons() const;
   size_t memory() const {
     return source_.capacity() * sizeof(Photon) + order_.capacity() * sizeof(Place) +
-           blocks_.capacity() * sizeof(PhotonBlock) + areas_.capacity() * sizeof(float) + tree_.memory();
+           blocks_.capacity() * sizeof(PhotonBlock) + tree_.memory();
   }
 
-  // The nearest `count` photons (at least one) that lie on the same surface (distance2_on_surface) at less than the root of
+  // The nearest `count` photons (at least one) on the same surface (distance2_on_surface) at less than the root of
   // `max_distance2`, but for the farthest of them, at which the disc ends. See Neighbourhood::end.
   void find_nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                     Neighbourhood& nearest) const;
@@ -66,7 +66,7 @@ class PhotonMap {
 
   // The leaves within a distance of the points of a box, and the photons of `find_within` for one of these points and a
   // radius of at most this distance. Points that are close to each other share the search of the tree.
-  void find_leaves(const Box& points, float distance2, LeafGroup& group) const;
+  void find_leaves(const Bounds& points, float distance2, LeafGroup& group) const;
   void find_within(const LeafGroup& group, const Vec3& position, const Vec3& normal, float radius2,
                    Neighbourhood& found) const;
 
@@ -102,8 +102,7 @@ class PhotonMap {
   std::vector<Place> order_;
   std::array<size_t, kPieces + 1> pieces_{};  // the first of each in `order_`, and the end
   std::vector<PhotonBlock> blocks_;
-  BoxTree tree_;              // of the blocks
-  std::vector<float> areas_;  // by block: estimated area per photon, divided by pi
+  BoxTree tree_;  // of the blocks
   size_t size_ = 0;
 };
 

@@ -34,8 +34,8 @@
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V).*L
 //   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces;
 //                 in media it blurs light over the ball
-//   Cost          first 2 to 4 rays per photon and 34 bytes per stored photon (80 while they are sorted); then 2 + 2 gather rays per sample
-//                 with one lookup each
+//   Cost          first 2 to 4 rays per photon and 34 bytes per stored photon (80 while they are sorted); then 2 + 2
+//                 gather rays per sample with one lookup each
 //   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
 //                 and leak light. Near-specular surfaces receive point lights only directly.
 #include "integrator/integrator_base.h"
@@ -75,8 +75,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
         .bias = Bias::biased,
         .cost =
             "first 2 to 4 rays per photon and 34 bytes per stored photon (80 while they are sorted); then 2 + 2 gather "
-            "rays per sample "
-            "with one lookup each",
+            "rays per sample with one lookup each",
         .limitations =
             "For any number of samples: caustics and contact shadows are blurred, few photons show as blotches. Direct "
             "visualization darkens edges and leaks light. Glossy surfaces below the roughness limit receive point "

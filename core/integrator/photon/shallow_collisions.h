@@ -85,7 +85,8 @@ struct AcceptNearSpecularOrShallow {
   }
 };
 
-// Continues camera paths by near-specular lobes, and from shallow collisions. A recorder is told of all other paths, too.
+// Continues camera paths by near-specular lobes, and from shallow collisions. A recorder also receives the samples of
+// all other paths.
 template <class M>
 void continue_near_specular(transport::PathWavefront<M>& paths, const transport::LobeSplit& split,
                             const ShallowCollisions<M>& shallow, int roulette_start) {

@@ -28,8 +28,14 @@ inline scene::MediumStack sample_start_in_medium(const scene::CompiledScene& sce
   return stack;
 }
 
+// A start on a light, which the light tree chooses for a receiver. Without a receiver, it is chosen by its power.
+inline void sample_light_start(const scene::CompiledScene& scene, const EmissionRandom& random,
+                               const LightReceiver* receiver, Emission& e) {
+  receiver ? scene.lights().sample_emission_by_tree(*receiver, random, e) : scene.lights().sample_emission(random, e);
+}
+
 // A start in a medium with the probability `media_share`, otherwise on a light. The kind of the emission states which;
-// `stack` is set in media only. The light is chosen for a receiver, or by its power without one.
+// `stack` is set in media only.
 inline void sample_start(const scene::CompiledScene& scene, EmissionRandom random, float third, float media_share,
                          Emission& e, scene::MediumStack& stack, const LightReceiver* receiver = nullptr) {
   if (random.choice < media_share) {
@@ -39,7 +45,7 @@ inline void sample_start(const scene::CompiledScene& scene, EmissionRandom rando
   }
   const float light_share = 1 - media_share;
   random.choice = std::min((random.choice - media_share) / light_share, kOneMinusEpsilon);
-  receiver ? scene.lights().sample_emission_for(*receiver, random, e) : scene.lights().sample_emission(random, e);
+  sample_light_start(scene, random, receiver, e);
   e.weight /= light_share;
   e.density.first *= light_share;
 }

@@ -8,11 +8,10 @@ void LightTable::sample_emission(const EmissionRandom& random, Emission& e) cons
   if (!empty()) sample_emission_of(selector_.choose_by_power(random.choice), random, e);
 }
 
-void LightTable::sample_emission_for(const LightReceiver& receiver, const EmissionRandom& random, Emission& e) const {
+void LightTable::sample_emission_by_tree(const LightReceiver& receiver, const EmissionRandom& random,
+                                         Emission& e) const {
   if (empty()) return;
-  const bool by_tree = selector_.uses_tree(LightStrategy::emission_auto);
-  const LightSelector::Choice choice =
-      by_tree ? selector_.choose_by_tree(receiver, random.choice) : selector_.choose_by_power(random.choice);
+  const LightSelector::Choice choice = selector_.choose_by_tree(receiver, random.choice);
   if (choice.probability > 0) sample_emission_of(choice, random, e);
 }
 

@@ -115,8 +115,8 @@ class LightTable {
     sample_emission(random, e);
     return e;
   }
-  // The same of a light that is chosen for a receiver by LightStrategy::emission_auto. The densities contain that choice.
-  void sample_emission_for(const LightReceiver& receiver, const EmissionRandom& random, Emission& e) const;
+  // The same of a light that the tree chooses for a receiver. The densities contain this choice.
+  void sample_emission_by_tree(const LightReceiver& receiver, const EmissionRandom& random, Emission& e) const;
   // Another direction from the same point; of a light at infinity another point of the same direction. Reads kind,
   // light, time, position and, of a light at infinity, direction.
   void resample_emission(Vec2 u, Emission& e) const;

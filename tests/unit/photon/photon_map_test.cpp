@@ -233,11 +233,11 @@ TEST(PhotonMap, GroupsOfPointsFindTheSamePhotons) {
   for (int i = 0; i < 50; ++i) {
     const Vec3 corner = Vec3(random(), random(), random()) * 1.2f - 0.1f;
     const float size = 0.2f * random(), radius = 0.02f + 0.3f * random();
-    Box box;
+    Bounds box;
     std::vector<Vec3> points;
     for (int k = 0; k < 10; ++k) {
       points.push_back(corner + size * Vec3(random(), random(), random()));
-      box.add(points.back());
+      box.extend(points.back());
     }
     map.find_leaves(box, sqr(radius), group);
     for (const Vec3& p : points) {
