@@ -4,7 +4,7 @@
 // material, then the camera, then the place of the largest object. The table shows milliseconds from `submit` to the
 // first frame of the edit, and to the moment when the workers stop. A second test edits the camera sixty times per
 // second and measures the age of the newest frame. A third test measures the throughput of a session that delivers frames,
-// relative to a batch renderer.
+// relative to a batch renderer, and that after an object was moved, relative to a session that begins with it there.
 //
 //   latency_bench [EDITS] [FILE...]
 //
@@ -146,9 +146,16 @@ class Bench {
     row("unseen edits, dragging", std::move(ages), {});
   }
 
-  static double paths_per_second(const render::Document& document, bool interactive) {
+  // Of a session that shows `document` after it has rendered `earlier`, unless that is null.
+  static double paths_per_second(const render::Document& document, bool interactive,
+                                 const render::Document* earlier = nullptr) {
     render::Session session({.interactive = interactive});
-    session.submit(document);
+    if (earlier) {
+      session.submit(*earlier);
+      while (session.status().paths == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const uint64_t version = session.submit(document);
+    while (session.status().version < version) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::seconds(1));
     const auto start = Clock::now();
     const uint64_t before = session.status().paths;
@@ -160,6 +167,15 @@ class Bench {
   void share() const {
     const double batch = paths_per_second(document_, false), shown = paths_per_second(document_, true);
     std::printf("  paths per second: batch %.3g, shown %.3g: ratio %.3f\n", batch, shown, shown / batch);
+    const render::Document moved = with_moved_object(document_, 1);
+    std::vector<double> ratios;
+    for (int i = 0; i < 3; ++i) {
+      const double anew = paths_per_second(moved, false);
+      ratios.push_back(paths_per_second(moved, false, &document_) / anew);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    std::printf("  paths per second after an object was moved, relative to a new session: %.3f (%.3f to %.3f)\n",
+                ratios[1], ratios[0], ratios[2]);
   }
 
   render::Document document_;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "geometry/accel.h"
+#include "geometry/embree_scene.h"
 #include "render/session.h"
 #include "support/child_process.h"
 #include "support/large_glb.h"

@@ -1,4 +1,5 @@
-// Time to the first pixel: staircase2, ToyCar, and a sphere of five million triangles.
+// Time to the first pixel: staircase2, ToyCar, a sphere of five million triangles, and sixteen squares with textures of
+// 4096 x 4096 pixels. The picture while textures are being read counts as well.
 //
 // Measured within a process, phase by phase, and through `etendue view --offscreen`, from its start to the first
 // displayed frame. The start of the Cornell box is measured with and without the plugins of OpenImageIO and OpenVDB, in
@@ -19,6 +20,7 @@
 #include "support/child_process.h"
 #include "support/large_glb.h"
 #include "support/scenes.h"
+#include "support/textured_gltf.h"
 
 namespace etendue {
 namespace {
@@ -44,14 +46,21 @@ int phases(const std::string& file) {
   return 0;
 }
 
-// Seconds from the start of the viewer to its first image; negative if it failed.
-double viewer_start(const std::string& file, const fs::path& folder, const std::string& environment = "") {
+struct ViewerStart {
+  double first = -1;     // seconds to the first picture, also of a scene without its textures; negative if it failed
+  double complete = -1;  // seconds to the first image of the complete scene
+};
+
+ViewerStart viewer_start(const std::string& file, const fs::path& folder, const std::string& environment = "") {
   const fs::path script = folder / "script.json", state = folder / "state.json";
   std::ofstream(script) << nlohmann::json::array({{{"do", "state"}, {"file", state.string()}}});
   const std::string command =
       environment + " '" + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" + script.string() + "'";
-  if (std::system(command.c_str()) != 0) return -1;
-  return nlohmann::json::parse(std::ifstream(state)).value("first_picture_seconds", -1.0);
+  if (std::system(command.c_str()) != 0) return {};
+  const auto report = nlohmann::json::parse(std::ifstream(state));
+  const double complete = report.value("first_picture_seconds", -1.0);
+  const double early = report.value("loading_picture_seconds", 0.0);
+  return {early > 0 ? early : complete, complete};
 }
 
 // Compares the start with plugins that are found and with a folder of plugins that does not exist, in turns.
@@ -60,8 +69,8 @@ bool compare_plugins(const fs::path& folder) {
   constexpr double kBound = 1.1;
   std::vector<double> ratios, found, missing;
   for (int i = 0; i < kPairs; ++i) {
-    found.push_back(viewer_start("cornell", folder));
-    missing.push_back(viewer_start("cornell", folder, "ETENDUE_PLUGIN_PATH=/nonexistent"));
+    found.push_back(viewer_start("cornell", folder).first);
+    missing.push_back(viewer_start("cornell", folder, "ETENDUE_PLUGIN_PATH=/nonexistent").first);
     ratios.push_back(found.back() / missing.back());
   }
   for (auto* list : {&ratios, &found, &missing}) std::ranges::sort(*list);
@@ -74,16 +83,19 @@ bool compare_plugins(const fs::path& folder) {
 }
 
 bool clock_start(const char* name, const std::string& file, double bound, const fs::path& folder) {
-  std::vector<double> starts;
+  std::vector<double> starts, complete;
   for (int i = 0; i < 5; ++i) {
     std::printf("%-12s ", name);
     if (test::run_in_child_process([&] { return phases(file); }) != 0) return false;
-    starts.push_back(viewer_start(file, folder));
+    const ViewerStart start = viewer_start(file, folder);
+    starts.push_back(start.first);
+    complete.push_back(start.complete);
   }
   std::sort(starts.begin(), starts.end());
+  std::sort(complete.begin(), complete.end());
   const bool fine = starts.front() > 0 && starts.back() < bound;
-  std::printf("%-12s viewer: median %.3f s, longest %.3f s, bound %.0f s  %s\n", name, starts[2], starts.back(), bound,
-              fine ? "" : "MISSED");
+  std::printf("%-12s viewer: median %.3f s, longest %.3f s, bound %.0f s; complete scene: median %.3f s  %s\n", name,
+              starts[2], starts.back(), bound, complete[2], fine ? "" : "MISSED");
   return fine;
 }
 
@@ -108,6 +120,9 @@ int main(int argc, char** argv) {
   fine = clock_start("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder) && fine;
   fine = clock_start("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
   fine = clock_start("large", large, 8, folder) && fine;
+  const fs::path textured = folder / "textured.gltf";
+  test::write_textured_gltf(textured, 16, 4096);
+  fine = clock_start("textured", textured, 1, folder) && fine;
   fs::remove_all(folder);
   return fine ? 0 : 1;
 }

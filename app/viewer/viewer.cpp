@@ -195,6 +195,8 @@ class Application {
     host_.begin_frame(state_.ui.input, platform_.has_display() ? seconds : std::min(seconds, kMaxOffscreenFrame));
     interface_.draw(state_, seconds);
     draw_window();
+    if (state_.viewport.stored_picture && state_.timing.loading_picture_seconds == 0)
+      state_.timing.loading_picture_seconds = process_age();
     if (state_.viewport.frame && state_.timing.first_image_seconds == 0)
       state_.timing.first_image_seconds = process_age();
     if (frames_left_ > 0) --frames_left_;

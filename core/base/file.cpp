@@ -38,17 +38,22 @@ fs::path temporary_beside(const fs::path& path) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_file(const fs::path& path) {
-  if (const auto* provided = provided_file(path)) return *provided;
+Result<void> check_readable(const fs::path& path) {
   std::error_code code;
   const auto status = fs::status(path, code);
   if (!fs::exists(status)) return input_error(path.string() + ": there is no such file");
   if (fs::is_directory(status)) return input_error(path.string() + ": this is a folder; give a file");
   // Opening a pipe would wait for its other end.
   if (!fs::is_regular_file(status)) return input_error(path.string() + ": this is a device or a pipe; give a file");
+  return {};
+}
 
+Result<std::vector<std::byte>> read_file(const fs::path& path) {
+  if (const auto* provided = provided_file(path)) return *provided;
+  if (const auto ok = check_readable(path); !ok) return ok.error();
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) return input_error(path.string() + ": cannot be read: " + std::strerror(errno));
+  std::error_code code;
   const auto size = fs::file_size(path, code);
   std::vector<std::byte> bytes(code ? 0 : size);
   if (!code && std::fread(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) {

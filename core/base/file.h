@@ -13,6 +13,9 @@ namespace etendue {
 // The content of a file. Directories, missing files and unreadable files are input errors; the message names the path.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
+// An error unless the path is that of a regular file; the message names the path.
+Result<void> check_readable(const std::filesystem::path& path);
+
 // Calls `write` with the name of a temporary file in the folder of `path` and with its extension. If `write` succeeds,
 // the temporary file is renamed to `path`, otherwise it is removed. A failure leaves an existing file unchanged. A
 // symbolic link is followed. A device or a pipe is not replaced: `write` receives its name.

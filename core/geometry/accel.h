@@ -1,9 +1,13 @@
 // Ray intersection with Embree
 //
-// MeshAccel is the acceleration structure of one mesh and is built once. Accel is the top-level structure over the
-// instances of a scene; rebuilding it after a change of transforms costs time proportional to the number of instances.
-// Small meshes that occur once are stored in the top level itself, in world space, because entering an instance costs
-// time for every ray that hits its bounds.
+// Accel is the top-level structure over the instances of a scene, whose meshes have structures of their own (MeshAccel).
+// Rebuilding it after a change of transforms costs time proportional to the number of instances. Small meshes
+// that occur once are stored in the top level itself, in world space, because entering an instance costs time for every ray
+// that hits its bounds.
+//
+// After a few of many instances have moved, an Accel can share the structure from before, in which rays ignore these
+// instances, and trace each ray through a small structure of the moved ones as well. It is ready at once; rays take
+// longer.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -12,11 +16,13 @@
 #include <vector>
 
 #include "geometry/accel_instance.h"
-#include "geometry/analytic_shape.h"
-#include "geometry/motion.h"
+#include "geometry/mesh_accel.h"
 #include "geometry/ray.h"
 
 namespace etendue {
+
+class TopLevel;        // geometry/top_level.h
+class MovedInstances;  // geometry/moved_instances.h
 
 struct Hit {
   static constexpr uint32_t kNone = 0xffffffffU;
@@ -79,25 +85,13 @@ class RayPacket {
   RTCRayHit16 query_;
 };
 
-class MeshAccel {
- public:
-  explicit MeshAccel(std::shared_ptr<const Mesh> mesh);
-  ~MeshAccel();
-  MeshAccel(const MeshAccel&) = delete;
-  MeshAccel& operator=(const MeshAccel&) = delete;
-
-  RTCScene scene() const { return scene_; }
-  const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
-
- private:
-  std::shared_ptr<const Mesh> mesh_;
-  RTCScene scene_;
-};
-
 class Accel {
  public:
   // Hits on instances[i] have Hit::instance == i. The meshes and shapes must not change afterwards.
   explicit Accel(std::span<const AccelInstance> instances);
+  // The instances of `other`, those of the list at other places. It includes those of the list of `other`. `unmoved` are
+  // the bounds of the instances that are not in the list. The time does not depend on their number.
+  Accel(const Accel& other, std::vector<MovedInstance> moved, const Bounds& unmoved);
   ~Accel();
   Accel(const Accel&) = delete;
   Accel& operator=(const Accel&) = delete;
@@ -111,22 +105,19 @@ class Accel {
   // Tests whether the first `count` rays of a packet hit anything in [tnear, tfar].
   void occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const;
 
-  Bounds bounds() const;
+  const Bounds& bounds() const { return bounds_; }
+  // The bounds of the instances that are not in the list of moved ones.
+  const Bounds& unmoved_bounds() const { return unmoved_; }
+  std::span<const MovedInstance> moved() const;
 
  private:
-  // The coordinates (u, v) of a hit on an analytic shape, which Embree does not compute.
-  Vec2 shape_coordinates(uint32_t instance, const Vec3& point, float time) const;
-  bool is_shape(uint32_t instance, uint32_t geometry) const {
-    return instance == RTC_INVALID_GEOMETRY_ID && geometry < instances_.size() && instances_[geometry].shape;
-  }
+  void intersect_moved(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity,
+                       const uint32_t* seeds) const;
 
-  RTCScene scene_;
-  std::vector<AccelInstance> instances_;  // owns the buffers that Embree uses
-  bool has_shapes_ = false;
+  std::shared_ptr<const TopLevel> top_level_;
+  std::unique_ptr<const MovedInstances> moved_;  // null: none
+  Bounds unmoved_, bounds_;
 };
-
-// The memory that Embree uses for all scenes together, in bytes.
-size_t embree_memory();
 
 // Enables flush-to-zero for denormals on this thread, as Embree recommends. Call it on every thread that traces rays.
 void prepare_thread_for_rays();

@@ -1,5 +1,6 @@
 // What an acceleration structure consists of.
 #pragma once
+#include <cstdint>
 #include <memory>
 
 #include "geometry/analytic_shape.h"
@@ -16,6 +17,13 @@ struct AccelInstance {
   Mat4 to_world{1};                                      // of a mesh with `accel`
   std::shared_ptr<const Motion> motion = nullptr;        // null: static. Deforming meshes have no `accel`
   std::shared_ptr<const AnalyticShape> shape = nullptr;  // instead of a mesh; in world space if static
+};
+
+// Another place for an instance of a mesh without motion.
+struct MovedInstance {
+  uint32_t number = 0;  // of the instance
+  std::shared_ptr<const MeshAccel> accel;
+  Mat4 to_world{1};
 };
 
 }  // namespace etendue

@@ -245,7 +245,7 @@ std::optional<MeterPoint> meter_point_at(const Document& document, const scene::
   return MeterPoint{.position = surface.position,
                     .normal = glm::dot(surface.ng, wo) < 0 ? -surface.ng : surface.ng,
                     .eye = ray.origin,
-                    .instance = static_cast<uint32_t>(surface.instance - scene.instances().data())};
+                    .instance = surface.instance->number};
 }
 
 std::array<Vec3, 4> sensor_corners(const MeterPoint& point, float size) {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "geometry/accel.h"
+#include "geometry/embree_scene.h"
 #include "render/incompatibility.h"
 #include "render/limit_progress.h"
 #include "render/sample_coverage.h"

@@ -68,7 +68,7 @@ bool contains(const Bounds& bounds, const Vec3& p) {
 // Collects all boundaries of solids along a ray; nothing blocks the ray.
 class BoundaryCollector final : public OpacityTest {
  public:
-  explicit BoundaryCollector(const std::vector<InstanceData>& instances) : instances_(instances) {}
+  explicit BoundaryCollector(const InstanceArray& instances) : instances_(instances) {}
 
   std::span<const Hit> trace(const Accel& accel, const Ray& ray, float time) {
     found().clear();
@@ -88,7 +88,7 @@ class BoundaryCollector final : public OpacityTest {
     return hits;
   }
 
-  const std::vector<InstanceData>& instances_;
+  const InstanceArray& instances_;
 };
 
 // Hits on the boundary of one solid: those of positive orientation minus those of negative orientation.
@@ -114,7 +114,7 @@ Rgb Solid::transmittance_of_medium(float distance) const {
   return std::isfinite(attenuation_distance) ? own * attenuation(distance) : own;
 }
 
-Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+Solids::Solids(InstanceArray& instances, const std::vector<SurfaceMaterial>& materials,
                std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere,
                const std::vector<Mat4>& world)
     : accel_(std::move(accel)), atmosphere_(std::move(atmosphere)), scatters_(atmosphere_ != nullptr) {
@@ -122,7 +122,7 @@ Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMa
   set_media(instances, materials, world);
 }
 
-void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials) {
+void Solids::assign_priorities(InstanceArray& instances, const std::vector<SurfaceMaterial>& materials) {
   const auto same_inside = [&](const Solid& a, const Solid& b) {
     return a.index == b.index && a.attenuation_color == b.attenuation_color &&
            a.attenuation_distance == b.attenuation_distance && a.has_surface == b.has_surface &&
@@ -187,7 +187,7 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     if (instance.solid != kNoSolid) instance.solid = numbers[instance.solid];
 }
 
-void Solids::set_media(const std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+void Solids::set_media(const InstanceArray& instances, const std::vector<SurfaceMaterial>& materials,
                        const std::vector<Mat4>& world) {
   for (uint32_t i = 0; i < solids_.size(); ++i) {
     Solid& solid = solids_[i];
@@ -254,8 +254,7 @@ void Solids::find_overlaps() {
         order[i]->may_overlap = order[j]->may_overlap = true;
 }
 
-MediumStack Solids::containing(const std::vector<InstanceData>& instances, const Vec3& point, float time,
-                               uint32_t except) const {
+MediumStack Solids::containing(const InstanceArray& instances, const Vec3& point, float time, uint32_t except) const {
   MediumStack stack;
   bool any = false;
   for (uint32_t i = 0; i < solids_.size() && !any; ++i) any = i != except && contains(solids_[i].bounds, point);
@@ -290,7 +289,7 @@ MediumStack Solids::containing(const std::vector<InstanceData>& instances, const
   return stack;
 }
 
-bool Solids::find_interface(const std::vector<InstanceData>& instances, const MediumStack& stack, float time, Hit& hit,
+bool Solids::find_interface(const InstanceArray& instances, const MediumStack& stack, float time, Hit& hit,
                             MediumInterface& interface) const {
   const uint32_t hit_solid = instances[hit.instance].solid;
   interface.clear(stack);
@@ -308,8 +307,7 @@ bool Solids::find_interface(const std::vector<InstanceData>& instances, const Me
 
 // Finds boundaries within rounding errors of the hit by a short ray across the surface. Opposite boundaries of one
 // solid cancel: they enclose a part without thickness.
-void Solids::add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
-                            MediumInterface& interface) const {
+void Solids::add_coincident(const InstanceArray& instances, float time, Hit& hit, MediumInterface& interface) const {
   const uint32_t hit_solid = instances[hit.instance].solid;
   const Facet facet = facet_of(instances[hit.instance], hit.triangle, time);
   const Vec3 e1 = facet.p1 - facet.p0, e2 = facet.p2 - facet.p0, normal = normal_of(facet);

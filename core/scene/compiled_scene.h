@@ -1,7 +1,8 @@
 // The scene that rendering threads read: immutable, shared, compiled from a scene::Scene.
 //
 // Compilation reuses all parts of the previous CompiledScene that an edit did not change, and BuildReport lists what
-// was rebuilt. A camera or material edit rebuilds no acceleration structure; a transform rebuilds the top level only.
+// was rebuilt. A camera or material edit rebuilds no acceleration structure; a transform rebuilds the top level only, and
+// not even that if few of many instances move.
 //
 // With motion blur, times run from 0 when the shutter opens to 1 when it closes. They affect moving instances only.
 #pragma once
@@ -36,6 +37,7 @@ struct InstanceData {
   bool textured = false;  // has texture coordinates or vertex colours
   bool mirrored = false;  // negative determinant, which reverses the winding [glTF 2.0, sec. 3.7.4]
   uint32_t material = 0;
+  uint32_t number = 0;                // index among the instances of the scene
   uint32_t node = 0;                  // the object that picking selects
   float cosine_exponent = 0;          // cosine exponent of its emission, see Light
   uint32_t first_light = kNotALight;  // light index of its first triangle that emits
@@ -179,7 +181,7 @@ class CompiledScene final : public OpacityTest {
   }
 
   const Camera& camera() const { return camera_; }
-  const std::vector<InstanceData>& instances() const { return *instances_; }
+  const InstanceArray& instances() const { return *instances_; }
   const std::vector<SurfaceMaterial>& materials() const { return *materials_; }
   const Scene& description() const { return *description_; }
   const BuildReport& report() const { return report_; }
@@ -211,19 +213,23 @@ class CompiledScene final : public OpacityTest {
 
   std::shared_ptr<const Scene> description_;
   std::shared_ptr<const Accel> accel_;
-  std::shared_ptr<const std::vector<InstanceData>> instances_;
+  std::shared_ptr<const InstanceArray> instances_;
   std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
   std::shared_ptr<const std::vector<Texture>> textures_;
   std::shared_ptr<const LightTable> lights_;
   std::shared_ptr<const Solids> solids_;
   std::shared_ptr<const StartMedia> start_media_;
-  std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // one per instance; null if it is part of the top level
+  std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // of the meshes that are not part of the top level
+  // By node: its first instance, or kNoInstance. Null if the scene has few instances.
+  std::shared_ptr<const std::vector<uint32_t>> first_instances_;
+  static constexpr uint32_t kNoInstance = 0xffffffffU;
   Camera camera_;
   std::shared_ptr<const CameraMotion> camera_motion_;
   int moving_node_ = -1;  // the first node that moves a mesh or a light
   Bounds bounds_;
   BuildReport report_;
   size_t triangles_ = 0;
+  size_t geometry_memory_ = 0, emission_memory_ = 0;  // bytes of instances with their meshes, and of EmittingTriangles
   bool transparency_ = false, subsurface_ = false, emission_spectra_ = false;
   // The width of a pixel in the centre of the image: metres, and metres per metre of distance from the camera. Zero if
   // the resolution is unknown.

@@ -330,18 +330,9 @@ void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const
 }
 
 size_t CompiledScene::memory() const {
-  size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
+  size_t bytes = geometry_memory_ + emission_memory_ + materials_->size() * sizeof(SurfaceMaterial) +
                  lights_->triangles().size() * (sizeof(AreaLightTriangle) + 16);
-  std::unordered_map<const void*, size_t> shared;  // each shared array counts once
-  const Mesh* last = nullptr;
-  for (const auto& instance : *instances_) {
-    // Most instances of many follow one of the same mesh.
-    if (instance.mesh.get() != last) {
-      last = instance.mesh.get();
-      shared[last] = last->memory();
-    }
-    if (instance.emitting) shared[instance.emitting.get()] = instance.emitting->numbers.size() * sizeof(uint32_t);
-  }
+  std::unordered_map<const void*, size_t> shared;  // each shared image counts once
   for (const auto& texture : *textures_)
     if (texture.image) shared[texture.image.get()] = texture.image->memory();
   for (const auto& [_, size] : shared) bytes += size;

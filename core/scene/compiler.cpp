@@ -1,17 +1,19 @@
 // Compiles a scene::Scene into a CompiledScene, reusing the unchanged parts of a previous one.
 #include <chrono>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "scene/density_placement.h"
-#include "scene/facet.h"
-#include "scene/gltf/parallel_jobs.h"
+#include "scene/emissive_triangles.h"
 #include "scene/light_shapes.h"
+#include "scene/mesh_accels.h"
+#include "scene/moved_nodes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"
-#include "scene/texture_point.h"
 #include "scene/unchanged_lights.h"
+#include "scene/unmoved_bounds.h"
 
 namespace etendue::scene {
 namespace {
@@ -21,6 +23,10 @@ namespace {
 constexpr size_t kTopLevelBudget = 200'000;
 // After an edit that moves objects. Larger meshes become instances, so that further edits rebuild few triangles.
 constexpr size_t kMovingTopLevelBudget = 10'000;
+
+// From this number of instances, those that move get a structure of their own, because a top level of all takes longer
+// than a frame; unless so many move that rays would take much longer.
+constexpr size_t kManyInstances = 10'000, kMostMoved = 1000;
 
 }  // namespace
 
@@ -73,14 +79,10 @@ class Compiler {
     if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
     if (scene_.get() == &old) return true;  // an edit of the camera
     if (scene_->time != old.time || scene_->clip != old.clip || scene_->roots != old.roots ||
-        scene_->skins != old.skins || scene_->animations != old.animations ||
-        scene_->meshes.size() != old.meshes.size() || scene_->nodes.size() != old.nodes.size())
+        scene_->skins != old.skins || scene_->animations != old.animations)
       return false;
-    for (size_t i = 0; i < scene_->nodes.size(); ++i)
-      if (!(scene_->nodes[i] == old.nodes[i])) return false;
-    for (size_t i = 0; i < scene_->meshes.size(); ++i)
-      if (!(scene_->meshes[i] == old.meshes[i])) return false;
-    return same_surface_lights() && scene_->materials.size() == old.materials.size();
+    return scene_->nodes == old.nodes && scene_->meshes == old.meshes && same_surface_lights() &&
+           scene_->materials.size() == old.materials.size();
   }
 
   // Area lights have geometry and a material each. Their materials follow those of the scene.
@@ -94,14 +96,71 @@ class Compiler {
       result_->accel_ = previous_->accel_;
       result_->instances_ = previous_->instances_;
       result_->mesh_accels_ = previous_->mesh_accels_;
+      result_->first_instances_ = previous_->first_instances_;
       result_->bounds_ = previous_->bounds_;
       result_->moving_node_ = previous_->moving_node_;
       result_->triangles_ = previous_->triangles_;
+      result_->geometry_memory_ = previous_->geometry_memory_;
       return;
     }
-    const std::vector<Placed> placed = place();
-    build(placed);
+    const bool many = previous_ && previous_->first_instances_ && same_surface_lights() &&
+                      scene_->materials.size() == previous_->description().materials.size();
+    const auto moved = many ? moved_nodes(*scene_, previous_->description(), kMostMoved) : std::nullopt;
+    if (moved && move_instances(*moved)) return;
+    build(place());
     result_->report_.top_level_built = true;
+  }
+
+  // Reuses the geometry of the previous scene, with other places for some instances. Returns false if that is not
+  // possible.
+  bool move_instances(const std::vector<MovedNode>& nodes) {
+    const auto instances = std::make_shared<InstanceArray>(*previous_->instances_);
+    const std::span<const MovedInstance> moved_before = previous_->accel_->moved();
+    std::vector<MovedInstance> moved(moved_before.begin(), moved_before.end());
+    MeshAccels accels(previous_->mesh_accels_);
+    for (const MovedNode& node : nodes) {
+      const int mesh = scene_->nodes[node.node].mesh;
+      if (mesh < 0) continue;
+      uint32_t number = (*previous_->first_instances_)[node.node];
+      for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(mesh)].primitives) {
+        if (primitive.mesh->triangles.empty()) continue;
+        if (number == CompiledScene::kNoInstance ||
+            !move_instance(node, primitive, number++, *instances, accels, moved))
+          return false;
+      }
+    }
+    if (moved.size() > kMostMoved) return false;
+    result_->mesh_accels_ = accels.all();
+    result_->report_.meshes_built = accels.built();
+    result_->report_.instances_moved = static_cast<int>(moved.size());
+    const Bounds others = bounds_of_unmoved(*previous_->accel_, *previous_->instances_, moved);
+    result_->accel_ = std::make_shared<Accel>(*previous_->accel_, std::move(moved), others);
+    result_->bounds_ = result_->accel_->bounds();
+    result_->instances_ = instances;
+    result_->first_instances_ = previous_->first_instances_;
+    result_->triangles_ = previous_->triangles_;
+    result_->geometry_memory_ = previous_->geometry_memory_;
+    return true;
+  }
+
+  // Returns false for an instance whose place is not only in the acceleration structure.
+  bool move_instance(const MovedNode& node, const Primitive& primitive, uint32_t number, InstanceArray& instances,
+                     MeshAccels& accels, std::vector<MovedInstance>& moved) {
+    const InstanceData& old = (*previous_->instances_)[number];
+    if (old.motion || old.solid != kNoSolid || old.first_light != InstanceData::kNotALight) return false;
+    auto place = std::ranges::find(moved, number, &MovedInstance::number);
+    if (place == moved.end()) place = moved.insert(place, {.number = number, .accel = accels.get(primitive.mesh)});
+    place->to_world = node.to_world;
+    instances[number].mesh = primitive.mesh;
+    set_place(instances[number], node.to_world);
+    return true;
+  }
+
+  static void set_place(InstanceData& instance, const Mat4& to_world) {
+    instance.to_world = to_world;
+    instance.normal_to_world = glm::transpose(glm::inverse(Mat3(to_world)));
+    instance.identity = to_world == Mat4(1);
+    instance.mirrored = glm::determinant(Mat3(to_world)) < 0;
   }
 
   void note_motion(uint32_t node) {
@@ -162,45 +221,39 @@ class Compiler {
     return order;
   }
 
-  // The acceleration structures of meshes that the previous scene built.
-  std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> previous_accels() const {
-    std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> accels;
-    if (previous_)
-      for (const auto& accel : previous_->mesh_accels_)
-        if (accel) accels[accel->mesh().get()] = accel;
-    return accels;
-  }
-
   // Whether an edit moved objects. The next edit probably moves them again.
   bool moves_objects() const {
     if (!previous_) return false;
     const Scene& old = previous_->description();
     if (scene_->time != old.time || scene_->clip != old.clip || scene_->nodes.size() != old.nodes.size()) return false;
-    return !std::ranges::equal(scene_->nodes, old.nodes, {}, &Node::transform, &Node::transform);
+    return !scene_->nodes.unshared_agree(
+        old.nodes, [&](size_t i) { return !(scene_->nodes[i].transform == old.nodes[i].transform); });
   }
 
   void build(const std::vector<Placed>& placed) {
     std::unordered_map<const Mesh*, int> uses;
     for (const auto& p : placed) ++uses[p.mesh.get()];
-    auto accels = previous_accels();
-    const auto reusable = accels;
+    MeshAccels accels(previous_ ? previous_->mesh_accels_ : MeshAccels::List());
 
-    auto instances = std::make_shared<std::vector<InstanceData>>();
+    auto instances = std::make_shared<InstanceArray>();
     std::vector<AccelInstance> accel_instances;
+    accel_instances.reserve(placed.size());
     size_t budget = moves_objects() ? kMovingTopLevelBudget : kTopLevelBudget;
     for (const auto& p : placed) {
+      const auto number = static_cast<uint32_t>(instances->size());
+      InstanceData& data = instances->emplace_back();
+      data.number = number;
       if (p.round) {
-        add_round(p, *instances, accel_instances);
+        add_round(p, data, accel_instances);
         continue;
       }
-      InstanceData data;
       AccelInstance in_accel;
       const size_t triangles = p.mesh->triangles.size();
       result_->triangles_ += triangles;
       // A mesh that deforms is in world space at all times. Rigid motion is a sequence of matrices of an instance.
-      const bool in_top_level =
-          p.motion ? p.motion->deforms()
-                   : uses[p.mesh.get()] == 1 && triangles <= budget && !reusable.contains(p.mesh.get());
+      const bool in_top_level = p.motion
+                                    ? p.motion->deforms()
+                                    : uses[p.mesh.get()] == 1 && triangles <= budget && !accels.is_from_before(*p.mesh);
       data.mesh = p.mesh;
       data.motion = p.motion;
       data.mirrored = in_top_level && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
@@ -211,34 +264,48 @@ class Compiler {
         budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
       } else {
-        data.identity = p.to_world == Mat4(1);
-        data.to_world = p.to_world;
-        data.normal_to_world = glm::transpose(glm::inverse(Mat3(p.to_world)));
-        auto& accel = accels[p.mesh.get()];
-        if (accel && reusable.contains(p.mesh.get())) {
-          ++result_->report_.meshes_reused;
-        } else if (!accel) {
-          accel = std::make_shared<MeshAccel>(p.mesh);
-          ++result_->report_.meshes_built;
-        }
-        in_accel.accel = accel;
+        set_place(data, p.to_world);
+        in_accel.accel = accels.get(p.mesh);
         in_accel.to_world = p.to_world;
       }
       data.smooth = !data.mesh->normals.empty();
       data.textured = !data.mesh->uvs[0].empty() || !data.mesh->uvs[1].empty() || !data.mesh->colors.empty();
       in_accel.mesh = data.mesh;
       in_accel.motion = p.motion;
-      result_->mesh_accels_.push_back(in_accel.accel);
-      instances->push_back(std::move(data));
       accel_instances.push_back(std::move(in_accel));
     }
+    result_->mesh_accels_ = accels.used();
+    result_->report_.meshes_built = accels.built();
+    result_->report_.meshes_reused = accels.reused();
     result_->accel_ = std::make_shared<Accel>(accel_instances);
     result_->bounds_ = result_->accel_->bounds();
     result_->instances_ = std::move(instances);
+    result_->geometry_memory_ = memory_of(*result_->instances_);
+    if (placed.size() >= kManyInstances) result_->first_instances_ = first_instances();
   }
 
-  void add_round(const Placed& p, std::vector<InstanceData>& instances, std::vector<AccelInstance>& accels) {
-    InstanceData data;
+  // Meshes that several instances share count once.
+  static size_t memory_of(const InstanceArray& instances) {
+    size_t bytes = instances.size() * sizeof(InstanceData);
+    std::unordered_set<const Mesh*> counted;
+    const Mesh* last = nullptr;
+    for (const InstanceData& instance : instances) {
+      // Most instances of many follow one of the same mesh.
+      if (instance.mesh.get() == last) continue;
+      last = instance.mesh.get();
+      if (counted.insert(last).second) bytes += last->memory();
+    }
+    return bytes;
+  }
+
+  std::shared_ptr<const std::vector<uint32_t>> first_instances() const {
+    auto first = std::make_shared<std::vector<uint32_t>>(scene_->nodes.size(), CompiledScene::kNoInstance);
+    for (const InstanceData& instance : *result_->instances_)
+      (*first)[instance.node] = std::min((*first)[instance.node], instance.number);
+    return first;
+  }
+
+  static void add_round(const Placed& p, InstanceData& data, std::vector<AccelInstance>& accels) {
     data.mesh = p.mesh;
     data.motion = p.motion;
     data.round = p.round;
@@ -247,9 +314,7 @@ class Compiler {
     data.material = p.material;
     data.node = p.node;
     data.cosine_exponent = p.cosine_exponent;
-    instances.push_back(data);
     accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
-    result_->mesh_accels_.push_back(nullptr);
   }
 
   void materials() {
@@ -334,7 +399,7 @@ class Compiler {
       result_->solids_ = std::make_shared<Solids>();
       return;
     }
-    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    auto instances = std::make_shared<InstanceArray>(*result_->instances_);
     result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_, atmosphere,
                                                 world_matrices(*scene_));
     result_->instances_ = std::move(instances);
@@ -358,20 +423,22 @@ class Compiler {
     if (!(scene_->atmosphere == old.atmosphere)) return false;
     if (result_->report_.top_level_built && portals() != previous_->lights_->portals().all()) return false;
     if (result_->report_.materials_built && !same_emission(*scene_, old)) return false;
-    if (!result_->report_.top_level_built) return true;
     const Bounds &a = result_->bounds_, &b = previous_->bounds_;
-    return a.min == b.min && a.max == b.max && same_light_places(*scene_, old) &&
+    if (a.min != b.min || a.max != b.max) return false;
+    if (!result_->report_.top_level_built) return true;  // moved instances do not emit light
+    return same_light_places(*scene_, old) &&
            same_emitters(*result_->instances_, *previous_->instances_, *result_->materials_);
   }
 
   // Reuses the light table of the previous scene.
   void keep_lights() {
     result_->lights_ = previous_->lights_;
+    result_->emission_memory_ = previous_->emission_memory_;
     if (!result_->report_.top_level_built) return;
-    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    auto instances = std::make_shared<InstanceArray>(*result_->instances_);
     for (size_t i = 0; i < instances->size(); ++i) {
-      (*instances)[i].first_light = (*previous_->instances_)[i].first_light;
-      (*instances)[i].emitting = (*previous_->instances_)[i].emitting;
+      const InstanceData& old = (*previous_->instances_)[i];
+      set_lights(*instances, i, old.first_light, old.emitting);
     }
     result_->instances_ = std::move(instances);
   }
@@ -379,32 +446,33 @@ class Compiler {
   void lights() {
     result_->emission_spectra_ = !result_->emitter_with_spectrum().empty();
     if (same_lights()) return keep_lights();
-    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    const auto instances = std::make_shared<InstanceArray>(*result_->instances_);
     std::vector<AreaLightTriangle> triangles;
     std::vector<MovingEmitter> moving;
     std::vector<AnalyticAreaLight> round_lights;
     for (uint32_t i = 0; i < instances->size(); ++i) {
-      InstanceData& instance = (*instances)[i];
+      const InstanceData& instance = std::as_const(*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
-      instance.first_light = InstanceData::kNotALight;
-      if (!is_area_light(material)) continue;
-      instance.first_light = static_cast<uint32_t>(triangles.size());
-      if (instance.round) {
-        triangles.push_back(emissive_round(instance, material, i, round_lights));
+      if (!is_area_light(material)) {
+        set_lights(*instances, i, InstanceData::kNotALight, instance.emitting);
         continue;
       }
+      const auto first = static_cast<uint32_t>(triangles.size());
+      if (instance.round) {
+        triangles.push_back(emissive_round(instance, material, round_lights));
+        set_lights(*instances, i, first, instance.emitting);
+        continue;
+      }
+      std::shared_ptr<const EmittingTriangles> emitting;
       if (emits_as_before(instance, i)) {
         const InstanceData& old = (*previous_->instances_)[i];
-        const std::span<const AreaLightTriangle> known = previous_emission(old);
-        instance.emitting = old.emitting;
-        if (same_surface(instance, old)) {
-          triangles.insert(triangles.end(), known.begin(), known.end());
-          continue;
-        }
-        add_moved(instance, material, i, known, triangles);
+        emitting = old.emitting;
+        add_emission_as_before(instance, old, material, triangles);
       } else {
-        instance.emitting = add_emissive(instance, material, i, triangles);
+        emitting = add_emissive(instance, material, triangles);
       }
+      if (emitting) result_->emission_memory_ += emitting->numbers.size() * sizeof(uint32_t);
+      set_lights(*instances, i, first, emitting);
       if (!instance.motion) continue;
       moving.resize(instances->size());
       moving[i] = {instance.mesh, instance.motion};
@@ -414,6 +482,25 @@ class Compiler {
         std::make_shared<LightTable>(std::move(triangles), placed_lights(), environment_map(), bounds_with_atmosphere(),
                                      std::move(moving), std::move(round_lights), portals());
     result_->report_.lights_built = true;
+  }
+
+  // Writes only what changes, because that copies a block of the array.
+  static void set_lights(InstanceArray& instances, size_t i, uint32_t first,
+                         const std::shared_ptr<const EmittingTriangles>& emitting) {
+    const InstanceData& now = std::as_const(instances)[i];
+    if (now.first_light == first && now.emitting == emitting) return;
+    instances[i].first_light = first;
+    instances[i].emitting = emitting;
+  }
+
+  // Adds the lights of an instance of which emits_as_before is true.
+  void add_emission_as_before(const InstanceData& instance, const InstanceData& old, const SurfaceMaterial& material,
+                              std::vector<AreaLightTriangle>& triangles) const {
+    const std::span<const AreaLightTriangle> known = previous_emission(old);
+    if (same_surface(instance, old))
+      triangles.insert(triangles.end(), known.begin(), known.end());
+    else
+      add_moved(instance, material, known, triangles);
   }
 
   std::shared_ptr<const EnvironmentMap> environment_map() const {
@@ -446,86 +533,6 @@ class Compiler {
   std::span<const AreaLightTriangle> previous_emission(const InstanceData& old) const {
     const size_t count = old.emitting ? old.emitting->count : old.mesh->triangles.size();
     return std::span(previous_->lights_->triangles()).subspan(old.first_light, count);
-  }
-
-  // Calls job(i) for all i below `count`, on all threads.
-  static void for_each_triangle(size_t count, const std::function<void(size_t)>& job) {
-    constexpr size_t kTrianglesOfAJob = 2048;
-    const auto range = [&](size_t number) {
-      const size_t begin = number * kTrianglesOfAJob;
-      for (size_t t = begin; t < std::min(begin + kTrianglesOfAJob, count); ++t) job(t);
-    };
-    gltf::run_jobs((count + kTrianglesOfAJob - 1) / kTrianglesOfAJob, range, [](float) { return true; });
-  }
-
-  // Appends the lights of an instance that emits as before at another place. `known` are those of the previous scene.
-  static void add_moved(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                        std::span<const AreaLightTriangle> known, std::vector<AreaLightTriangle>& triangles) {
-    const size_t first = triangles.size();
-    triangles.resize(first + known.size());
-    for_each_triangle(known.size(), [&](size_t t) {
-      triangles[first + t] = emissive(instance, material, i, known[t].triangle, &known[t].radiance);
-    });
-  }
-
-  // Appends the lights of an instance. Triangles on which an emission texture is black at all points of its mean are left
-  // out; the result states which, and is null if there are none.
-  static std::shared_ptr<const EmittingTriangles> add_emissive(const InstanceData& instance,
-                                                               const SurfaceMaterial& material, uint32_t i,
-                                                               std::vector<AreaLightTriangle>& triangles) {
-    const size_t count = instance.mesh->triangles.size(), first = triangles.size();
-    triangles.resize(first + count);
-    for_each_triangle(count, [&](size_t t) {
-      triangles[first + t] = emissive(instance, material, i, static_cast<uint32_t>(t), nullptr);
-    });
-    const auto is_dark = [](const AreaLightTriangle& t) { return is_black(t.radiance); };
-    const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(first);
-    if (!material.emission || std::none_of(begin, triangles.end(), is_dark)) return nullptr;
-    triangles.erase(std::remove_if(begin, triangles.end(), is_dark), triangles.end());
-    auto emitting = std::make_shared<EmittingTriangles>();
-    emitting->numbers.assign(count, InstanceData::kNotALight);
-    for (size_t t = first; t < triangles.size(); ++t) emitting->numbers[triangles[t].triangle] = emitting->count++;
-    return emitting;
-  }
-
-  // `known_mean` is the mean of textured emission; null if it is to be computed.
-  static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                    uint32_t t, const Rgb* known_mean) {
-    const Mesh& mesh = *instance.mesh;
-    AreaLightTriangle e;
-    e.instance = i;
-    e.triangle = t;
-    e.radiance = material.description.emission;
-    e.double_sided = material.description.double_sided;
-    e.moving = instance.motion != nullptr;
-    e.cosine_exponent = instance.cosine_exponent;
-    e.set_triangle(facet_of(instance, t, 0.5f));
-    e.textured = static_cast<bool>(material.emission);
-    if (material.emission && known_mean) {
-      e.radiance = *known_mean;
-    } else if (material.emission) {
-      // The mean over seven points of the triangle.
-      Rgb sum(0);
-      constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
-                                       {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
-      for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
-      e.radiance = sum / 7;
-    }
-    return e;
-  }
-
-  static AreaLightTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                          std::vector<AnalyticAreaLight>& round_lights) {
-    AnalyticAreaLight round{*instance.round, instance.motion};
-    if (round.motion) round.shape = round.at(0.5f);
-    AreaLightTriangle e;
-    e.instance = i;
-    e.cosine_exponent = instance.cosine_exponent;
-    e.radiance = material.description.emission;
-    e.double_sided = material.description.double_sided;
-    e.set_shape(static_cast<int>(round_lights.size()), round.shape);
-    round_lights.push_back(std::move(round));
-    return e;
   }
 
   // At the time of the scene: a portal that moves guides to where it is then.

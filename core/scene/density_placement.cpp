@@ -15,7 +15,7 @@ Mat4 unit_cube_to(const Bounds& bounds) {
 
 }  // namespace
 
-Mat4 density_box(const std::vector<InstanceData>& instances, uint32_t solid, const Mat4& world) {
+Mat4 density_box(const InstanceArray& instances, uint32_t solid, const Mat4& world) {
   const Mat4 to_node = glm::inverse(world);
   Bounds bounds;
   for (const InstanceData& instance : instances)

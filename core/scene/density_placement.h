@@ -7,7 +7,7 @@ namespace etendue::scene {
 
 // The matrix from world space to the unit cube of the density in a solid: the bounding box of its boundary in the space
 // of its node, whose world matrix is `world`.
-Mat4 density_box(const std::vector<InstanceData>& instances, uint32_t solid, const Mat4& world);
+Mat4 density_box(const InstanceArray& instances, uint32_t solid, const Mat4& world);
 
 // The same for an axis-aligned box in world space.
 Mat4 density_box(const Bounds& bounds);

@@ -34,7 +34,7 @@ Bounds bounds_of_emitter(const InstanceData& instance) {
 }
 
 // Whether a triangle of the solid's boundary may intersect the bounds.
-bool boundary_reaches(const std::vector<InstanceData>& instances, uint32_t solid, float offset, const Bounds& bounds) {
+bool boundary_reaches(const InstanceArray& instances, uint32_t solid, float offset, const Bounds& bounds) {
   for (const InstanceData& instance : instances) {
     if (instance.solid != solid) continue;
     for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) {
@@ -55,8 +55,8 @@ bool any_moves(const Solids& solids) {
 
 // Whether the solids around a point of the bounds depend on the point or the time. `any` returns whether a solid may
 // contain such a point.
-bool surroundings_vary(const Solids& solids, const std::vector<InstanceData>& instances, const Bounds& bounds,
-                       uint32_t own, bool& any) {
+bool surroundings_vary(const Solids& solids, const InstanceArray& instances, const Bounds& bounds, uint32_t own,
+                       bool& any) {
   bool vary = false;
   any = false;
   for (uint32_t i = 0; i < solids.size() && !vary; ++i) {
@@ -69,7 +69,7 @@ bool surroundings_vary(const Solids& solids, const std::vector<InstanceData>& in
 
 }  // namespace
 
-StartMedia::StartMedia(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights,
+StartMedia::StartMedia(const Solids& solids, const InstanceArray& instances, const LightTable& lights,
                        const Camera& camera, bool camera_moves, const StartMedia* same_lights) {
   if (solids.empty()) return;
   if (same_lights)
@@ -79,8 +79,7 @@ StartMedia::StartMedia(const Solids& solids, const std::vector<InstanceData>& in
   find_camera(solids, instances, camera, camera_moves);
 }
 
-void StartMedia::find_lights(const Solids& solids, const std::vector<InstanceData>& instances,
-                             const LightTable& lights) {
+void StartMedia::find_lights(const Solids& solids, const InstanceArray& instances, const LightTable& lights) {
   const auto find = [&](const Bounds& bounds, uint32_t own, bool moves, const Vec3& point, Surroundings& found) {
     bool any = false;
     found.varies = surroundings_vary(solids, instances, bounds, own, any);
@@ -104,7 +103,7 @@ void StartMedia::find_lights(const Solids& solids, const std::vector<InstanceDat
   }
 }
 
-void StartMedia::find_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Camera& camera,
+void StartMedia::find_camera(const Solids& solids, const InstanceArray& instances, const Camera& camera,
                              bool camera_moves) {
   const Vec3 position(camera.to_world[3]);
   const bool on_lens = camera.projection == Projection::perspective && camera.near_clip == 0 && !camera_moves;
@@ -117,21 +116,21 @@ void StartMedia::find_camera(const Solids& solids, const std::vector<InstanceDat
   if (!camera_.varies) camera_.stack = solids.containing(instances, position, 0);
 }
 
-MediumStack StartMedia::at_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Ray& ray,
+MediumStack StartMedia::at_camera(const Solids& solids, const InstanceArray& instances, const Ray& ray,
                                   float time) const {
   if (!camera_.varies) return camera_.stack;
   return solids.containing(instances, ray.origin + ray.direction * ray.tnear, time);
 }
 
-void StartMedia::find_at_light(const Solids& solids, const std::vector<InstanceData>& instances,
-                               const LightTable& lights, const Emission& emission, const SurfacePoint* point,
-                               const Vec3& origin, MediumInterface& found) const {
+void StartMedia::find_at_light(const Solids& solids, const InstanceArray& instances, const LightTable& lights,
+                               const Emission& emission, const SurfacePoint* point, const Vec3& origin,
+                               MediumInterface& found) const {
   found.clear({});
   if (emitters_.empty() || emission.kind == LightKind::environment) return;
   const InstanceData* instance = point ? point->instance : nullptr;
   const uint32_t own = instance ? instance->solid : kNoSolid;
-  const Surroundings& known = instance ? emitters_[static_cast<size_t>(instance - instances.data())]
-                                       : placed_[emission.light - lights.triangles().size()];
+  const Surroundings& known =
+      instance ? emitters_[instance->number] : placed_[emission.light - lights.triangles().size()];
   found.surrounding = known.varies ? solids.containing(instances, origin, emission.time, own) : known.stack;
   if (own != kNoSolid) found.add_boundary(own, true);
 }

@@ -1,6 +1,6 @@
 // The scene that a user edits: a plain value.
 //
-// Copies are cheap because the large arrays are shared and immutable. An edit makes a new Scene, undo restores an old
+// Copies are cheap because large arrays are shared and immutable, and nodes are shared in blocks. An edit makes a new Scene, undo restores an old
 // one, and `compile` finds the changes by comparing the two.
 #pragma once
 #include <array>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shared_array.h"
 #include "base/vec.h"
 #include "camera/camera.h"
 #include "geometry/mesh.h"
@@ -111,7 +112,7 @@ struct Scene {
   std::string name;
   std::string file;  // path; empty for a built-in scene
 
-  std::vector<Node> nodes;
+  SharedArray<Node> nodes;
   std::vector<int> roots;  // of the chosen glTF scene
   std::vector<MeshGroup> meshes;
   std::vector<Material> materials;  // never empty: the last one is the default of primitives without a material

@@ -24,12 +24,10 @@
 #include "material/surface_material.h"
 #include "medium/medium_emitters.h"
 #include "scene/atmosphere_medium.h"
+#include "scene/forward.h"
 #include "scene/medium_stack.h"
 
 namespace etendue::scene {
-
-struct InstanceData;
-struct Scene;
 
 struct Solid {
   float eta = 1;          // index of refraction
@@ -86,9 +84,8 @@ class Solids {
   Solids() = default;
   // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances. `atmosphere`
   // may be null. `world` has the matrices of all nodes, for media whose density varies.
-  Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
-         std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr,
-         const std::vector<Mat4>& world = {});
+  Solids(InstanceArray& instances, const std::vector<SurfaceMaterial>& materials, std::shared_ptr<const Accel> accel,
+         std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr, const std::vector<Mat4>& world = {});
 
   bool empty() const { return solids_.empty(); }
   size_t size() const { return solids_.size(); }
@@ -121,24 +118,23 @@ class Solids {
 
   // The solids that contain a point, except for one of them. Counts the boundaries along two rays in fixed directions.
   // They can disagree if a ray hits an edge or a mesh is open; a third ray decides then.
-  MediumStack containing(const std::vector<InstanceData>& instances, const Vec3& point, float time,
+  MediumStack containing(const InstanceArray& instances, const Vec3& point, float time,
                          uint32_t except = kNoSolid) const;
 
   // Finds the media on both sides of a boundary that a ray hits after a segment in the solids of `stack`. Returns false
   // if they are equal and no light is sampled on the boundary: the ray continues. If boundaries coincide, `hit` is
   // replaced by the hit on the boundary of the highest priority.
-  bool find_interface(const std::vector<InstanceData>& instances, const MediumStack& stack, float time, Hit& hit,
+  bool find_interface(const InstanceArray& instances, const MediumStack& stack, float time, Hit& hit,
                       MediumInterface& interface) const;
 
  private:
-  void assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials);
+  void assign_priorities(InstanceArray& instances, const std::vector<SurfaceMaterial>& materials);
   void find_overlaps();
   // Sets `heterogeneous` of solids and the properties of all media together.
-  void set_media(const std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+  void set_media(const InstanceArray& instances, const std::vector<SurfaceMaterial>& materials,
                  const std::vector<Mat4>& world);
   void find_emitters();
-  void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
-                      MediumInterface& interface) const;
+  void add_coincident(const InstanceArray& instances, float time, Hit& hit, MediumInterface& interface) const;
 
   std::vector<Solid> solids_;
   std::shared_ptr<const Accel> accel_;

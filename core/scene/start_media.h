@@ -19,12 +19,11 @@ class StartMedia {
  public:
   StartMedia() = default;
   // `same_lights` is a table for the same lights and solids, or null.
-  StartMedia(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights,
-             const Camera& camera, bool camera_moves, const StartMedia* same_lights);
+  StartMedia(const Solids& solids, const InstanceArray& instances, const LightTable& lights, const Camera& camera,
+             bool camera_moves, const StartMedia* same_lights);
 
-  MediumStack at_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Ray& ray,
-                        float time) const;
-  void find_at_light(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights,
+  MediumStack at_camera(const Solids& solids, const InstanceArray& instances, const Ray& ray, float time) const;
+  void find_at_light(const Solids& solids, const InstanceArray& instances, const LightTable& lights,
                      const Emission& emission, const SurfacePoint* point, const Vec3& origin,
                      MediumInterface& found) const;
 
@@ -35,9 +34,8 @@ class StartMedia {
     MediumStack stack;    // if they do not vary
   };
 
-  void find_lights(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights);
-  void find_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Camera& camera,
-                   bool camera_moves);
+  void find_lights(const Solids& solids, const InstanceArray& instances, const LightTable& lights);
+  void find_camera(const Solids& solids, const InstanceArray& instances, const Camera& camera, bool camera_moves);
 
   std::vector<Surroundings> emitters_;  // by instance; empty without solids
   std::vector<Surroundings> placed_;    // by placed light; empty without solids

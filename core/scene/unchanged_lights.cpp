@@ -36,8 +36,7 @@ bool same_surface(const InstanceData& a, const InstanceData& b) {
   return a.mesh == b.mesh || (a.mesh->positions == b.mesh->positions && same_parametrization(*a.mesh, *b.mesh));
 }
 
-bool same_emitters(const std::vector<InstanceData>& now, const std::vector<InstanceData>& old,
-                   const std::vector<SurfaceMaterial>& materials) {
+bool same_emitters(const InstanceArray& now, const InstanceArray& old, const std::vector<SurfaceMaterial>& materials) {
   return std::ranges::equal(now, old, [&](const InstanceData& a, const InstanceData& b) {
     const bool emitted = b.first_light != InstanceData::kNotALight;
     return is_area_light(materials[a.material]) == emitted && (!emitted || same_surface(a, b));

@@ -14,8 +14,7 @@ bool same_surface(const InstanceData& a, const InstanceData& b);
 
 // Whether the same instances emit, at the same places. `materials` are those of both. The light indices of the
 // instances `old` must be set.
-bool same_emitters(const std::vector<InstanceData>& now, const std::vector<InstanceData>& old,
-                   const std::vector<SurfaceMaterial>& materials);
+bool same_emitters(const InstanceArray& now, const InstanceArray& old, const std::vector<SurfaceMaterial>& materials);
 
 // Whether all nodes with lights are visible as before, at the same places and in the same order. False for animated scenes.
 bool same_light_places(const Scene& a, const Scene& b);

@@ -15,10 +15,16 @@ std::vector<int> indices_after_removal(const std::vector<bool>& is_removed) {
   return indices;
 }
 
-template <class T>
-void erase_marked(std::vector<T>& values, const std::vector<int>& indices) {
-  size_t i = 0;
-  std::erase_if(values, [&](const T&) { return indices[i++] < 0; });
+// `values` is a std::vector or a SharedArray.
+template <class Array>
+void erase_marked(Array& values, const std::vector<int>& indices) {
+  size_t kept = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (indices[i] < 0) continue;
+    if (i != kept) values[kept] = std::move(values[i]);
+    ++kept;
+  }
+  values.resize(kept);
 }
 
 void renumber(int& index, const std::vector<int>& indices) {

@@ -37,9 +37,6 @@ constexpr uint32_t kMissingSamples = 16;
 constexpr double kMissingShare = 0.3;
 // Cost of a typical sample relative to one of path tracing, over all integrators.
 constexpr double kTypicalCost = 2.5;
-// Samplers change only if the error falls by this factor, and if the upper end of its interval is below the error of the
-// present sampler: of several equal ones, the one with the smallest error by chance would be chosen otherwise.
-constexpr double kSamplerGain = 0.95;
 // Pilots and the final image use independent random numbers.
 constexpr uint64_t kPilotSeed = 0x70696c6f74;
 
@@ -272,8 +269,7 @@ class Chooser {
     Comparison comparison = compare_methods(session_, document_, variants, p, progress_);
     const auto present = std::ranges::find(comparison.methods, choice_.method, &ComparedMethod::method);
     const ComparedMethod& best = comparison.methods[0];
-    const double uncertainty = best.error.value > 0 ? best.error.interval.high / best.error.value : INFINITY;
-    if (!(best.predicted_error * std::max(uncertainty, 1 / kSamplerGain) < present->predicted_error)) return;
+    if (!is_clearly_better(best, *present)) return;
     choice_.method = best.method;
     choice_.reason += "; sampler " + best.method.sampler;
     // A pilot whose film was lost cannot continue.
@@ -293,6 +289,12 @@ class Chooser {
 };
 
 }  // namespace
+
+bool is_clearly_better(const ComparedMethod& a, const ComparedMethod& b) {
+  constexpr double kLeastGain = 0.95;
+  const double uncertainty = a.error.value > 0 ? a.error.interval.high / a.error.value : INFINITY;
+  return a.predicted_error * std::max(uncertainty, 1 / kLeastGain) < b.predicted_error;
+}
 
 Result<MethodChoice> choose_method(render::Session& session, const render::Document& document,
                                    const bench::Progress& progress, const ChoiceOptions& options) {

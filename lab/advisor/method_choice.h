@@ -61,6 +61,11 @@ struct ChoiceOptions {
 Result<MethodChoice> choose_method(render::Session& session, const render::Document& document,
                                    const bench::Progress& progress, const ChoiceOptions& options = {});
 
+// Whether the predicted error of `a` is smaller than that of `b` by at least 5 %, also at the upper end of its confidence
+// interval. Another sampler replaces the present one only then: of several equal ones, the one with the smallest error by
+// chance would be chosen otherwise.
+bool is_clearly_better(const ComparedMethod& a, const ComparedMethod& b);
+
 // The document with the chosen method and the reason.
 render::Document with_choice(render::Document document, const MethodChoice& choice);
 

@@ -45,8 +45,8 @@ class Comparison {
     if (x.size() != y.size()) return differ(what + ": " + std::to_string(x.size()) + " or " + std::to_string(y.size()));
     if (!x.empty() && std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) != 0) differ(what + ": other bits");
   }
-  template <class T, class Compare>
-  void each(const char* array, const std::vector<T>& x, const std::vector<T>& y, Compare&& compare) {
+  template <class Array, class Compare>
+  void each(const char* array, const Array& x, const Array& y, Compare&& compare) {
     const std::string before = place_;
     if (x.size() != y.size())
       differ(std::string(array) + ": " + std::to_string(x.size()) + " or " + std::to_string(y.size()));

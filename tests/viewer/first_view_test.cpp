@@ -91,7 +91,7 @@ TEST_F(FirstView, TheStudioIsAddedWhereTheLightsLeaveSurfacesBlack) {
     material.roughness = 0;
   }
   scene.lights.push_back(make_light("point"));
-  scene.nodes.front().light = static_cast<int>(scene.lights.size()) - 1;
+  scene.nodes[0].light = static_cast<int>(scene.lights.size()) - 1;
   const std::string file = path("dark.glb");
   ASSERT_TRUE(scene::save_gltf(scene, file));
   const json steps = json::array({{{"do", "wait"}, {"spp", 8}},

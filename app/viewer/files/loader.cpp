@@ -6,10 +6,12 @@
 #include "image/format.h"
 #include "image/image.h"
 #include "render/checkpoint.h"
+#include "render/document_of_scene.h"
 #include "render/image_output.h"
 #include "render/session_file.h"
 #include "render/state_difference.h"
 #include "viewer/files/file_names.h"
+#include "viewer/files/loading_picture.h"
 
 namespace etendue::viewer {
 
@@ -64,8 +66,6 @@ std::optional<render::ResumePoint> resume_point_of(const std::string& file, cons
   return point;
 }
 
-using ShowPicture = std::function<void(std::shared_ptr<const StoredPicture>)>;
-
 Result<OpenedFile> read_snapshot(const std::string& file, const image::LayeredImage& image, const std::string& state,
                                  const ShowPicture& show) {
   show(picture_of(image, state));
@@ -94,7 +94,10 @@ Result<OpenedFile> read(const std::string& file, const render::Document& current
     return OpenedFile{.kind = Kind::session, .file = file, .document = std::move(*document)};
   }
   if (is_image(extension)) return read_environment(file, current);
-  auto document = render::new_document(file);
+  LoadingPicture picture(file, environment, show);
+  scene::LoadOptions options;
+  options.without_images = [&](const scene::Scene& scene) { picture.start(scene); };
+  auto document = render::new_document(file, "", options);
   if (!document) return document.error();
   if (document->lit_by_default && !environment.empty()) document = render::with_environment(*document, environment);
   if (!document) return document.error();

@@ -2,7 +2,8 @@
 //
 // The content of a file decides what it is: a scene, a session (.etendue), a snapshot (an .exr with a stored document),
 // or an environment map (any other .exr, or another image). The picture of a snapshot is known before its scene, and a
-// rendering continues from the checkpoint beside the snapshot.
+// rendering continues from the checkpoint beside the snapshot. A scene has a picture as soon as its geometry is known, if
+// it has textures, which take longer.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -13,16 +14,10 @@
 
 #include "render/document.h"
 #include "render/resume_point.h"
+#include "viewer/files/stored_picture.h"
 #include "viewer/tasks/background_task.h"
 
 namespace etendue::viewer {
-
-// The image that a snapshot holds, and how it is displayed.
-struct StoredPicture {
-  int width = 0, height = 0;
-  std::vector<Rgb> pixels;
-  render::Display display;
-};
 
 struct OpenedFile {
   enum class Kind { scene, session, recovered, snapshot, environment };
@@ -42,7 +37,7 @@ class Loader {
   // Starts to read the journal of a session that ended unexpectedly.
   void recover(const std::string& journal);
   void cancel() { task_.abandon(); }
-  // The picture of the snapshot that is being opened, as soon as it is known; null before, and for other files.
+  // The picture of the file that is being opened, as soon as it is known; null before, and for files without one.
   std::shared_ptr<const StoredPicture> picture() const;
   bool is_busy() const { return task_.running(); }
   // The file that was opened last.

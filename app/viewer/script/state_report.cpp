@@ -194,6 +194,7 @@ std::string state_report(AppState& state) {
          {"points", nullptr},
          {"aov", nullptr},
          {"interface_share", state.timing.interface_share},
+         {"loading_picture_seconds", state.timing.loading_picture_seconds},
          {"first_picture_seconds", state.timing.first_image_seconds},
          {"latency_ms", percentiles(state.session->take_latencies())},
          {"restart_latency_ms", percentiles(state.session->take_restart_latencies())},

@@ -86,7 +86,7 @@ struct ViewportState {
   Placement image;                             // that the whole image fills; beyond the region if it is enlarged
   std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
   Darkness darkness = Darkness::none;          // of the frame
-  std::shared_ptr<const StoredPicture> stored_picture;  // of the snapshot that is being opened; null: none
+  std::shared_ptr<const StoredPicture> stored_picture;  // of the file that is being opened; null: none
 
   bool false_color = false;
   bool show_reliability = false;
@@ -167,6 +167,8 @@ struct SharedTasks {
 
 struct Timing {
   double interface_share = 0;      // share of the time that drawing the interface takes
+  // From the start of the process to the first picture of a file that is still being opened; 0 before that.
+  double loading_picture_seconds = 0;
   double first_image_seconds = 0;  // from the start of the process to the first image on screen; 0 before that
 };
 

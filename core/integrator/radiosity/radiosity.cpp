@@ -384,7 +384,7 @@ class RadiosityState final : public RenderState {
     const Vec3 e1 = f.p1 - f.p0, e2 = f.p2 - f.p0, d = point.position - f.p0;
     const float a = length_squared(e1), b = glm::dot(e1, e2), c = length_squared(e2);
     const float x = glm::dot(d, e1), y = glm::dot(d, e2), determinant = a * c - b * b;
-    const auto instance = static_cast<uint32_t>(point.instance - context_.scene->instances().data());
+    const uint32_t instance = point.instance->number;
     return mesh().locate(instance, point.triangle, (c * x - b * y) / determinant, (a * y - b * x) / determinant,
                          point.front);
   }

@@ -55,7 +55,7 @@ std::string builtin_names() {
   return names;
 }
 
-Result<Scene> load(const std::string& file_or_name) {
+Result<Scene> load(const std::string& file_or_name, const LoadOptions& options) {
   if (const Builtin* builtin = find_builtin(file_or_name)) return builtin->make();
   const std::filesystem::path file(file_or_name);
   std::error_code ignored;
@@ -63,7 +63,7 @@ Result<Scene> load(const std::string& file_or_name) {
       !std::filesystem::exists(file, ignored))
     return input_error("there is no built-in scene '" + file_or_name + "'; use a .gltf or .glb file, or one of " +
                        builtin_names() + did_you_mean(file_or_name, names_of(builtins())));
-  return load_gltf(file_or_name);
+  return load_gltf(file_or_name, options);
 }
 
 }  // namespace etendue::scene

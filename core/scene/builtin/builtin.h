@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "scene/gltf/load_gltf.h"
 #include "scene/scene.h"
 
 namespace etendue::scene {
@@ -28,7 +29,7 @@ const Builtin* find_builtin(std::string_view name);
 // All names, separated by commas.
 std::string builtin_names();
 
-// Loads a built-in scene by its name, or a glTF file.
-Result<Scene> load(const std::string& file_or_name);
+// Loads a built-in scene by its name, or a glTF file, to which the options apply.
+Result<Scene> load(const std::string& file_or_name, const LoadOptions& options = {});
 
 }  // namespace etendue::scene

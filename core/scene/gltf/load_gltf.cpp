@@ -1,6 +1,7 @@
 #include "scene/gltf/load_gltf.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <map>
 
@@ -84,10 +85,6 @@ class Loader {
     gltf::import_skins(input_, scene_);
     gltf::import_animations(input_, scene_);
     read_arrays();
-    gltf::import_transport(input_, scene_);
-    check_joint_indices();
-    gltf::remove_far_meshes(scene_);
-    gltf::check_boundaries(scene_);
     scene_.warnings = shorten(join_places(scene_.warnings));
     for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));
     return std::move(scene_);
@@ -102,20 +99,31 @@ class Loader {
     auto meshes = gltf::mesh_tasks(input_, scene_);
     auto images = gltf::image_tasks(input_, scene_);
     const bool tiled = gltf::exceed_texture_memory(input_, images);
+    std::atomic<size_t> meshes_left = meshes.size();
+    if (meshes.empty()) complete_without_images(meshes, images.empty());
     const auto job = [&](size_t i) {
-      if (i < meshes.size())
-        gltf::read_mesh(input_, meshes[i]);
-      else
-        gltf::read_image_task(input_, tiled, images[i - meshes.size()]);
+      if (i >= meshes.size()) return gltf::read_image_task(input_, tiled, images[i - meshes.size()]);
+      gltf::read_mesh(input_, meshes[i]);
+      if (--meshes_left == 0) complete_without_images(meshes, images.empty());
     };
     gltf::run_jobs(meshes.size() + images.size(), job,
                    [&](float done) { return !options_.progress || options_.progress("meshes and images", done); });
-    gltf::add_meshes(input_, meshes, scene_);
+    gltf::check_files(input_);
     gltf::add_images(input_, images, scene_);
-    for (const auto& mesh : meshes)
-      scene_.warnings.insert(scene_.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
     for (const auto& image : images)
       if (!image.warning.empty()) scene_.warnings.push_back(image.warning);
+  }
+
+  // Called when all meshes have been read, while other threads read images.
+  void complete_without_images(const std::vector<gltf::MeshTask>& meshes, bool has_no_images) {
+    gltf::add_meshes(input_, meshes, scene_);
+    for (const auto& mesh : meshes)
+      scene_.warnings.insert(scene_.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
+    gltf::import_transport(input_, scene_);
+    check_joint_indices();
+    gltf::remove_far_meshes(scene_);
+    gltf::check_boundaries(scene_);
+    if (options_.without_images && !has_no_images) options_.without_images(scene_);
   }
 
   // A node selects the skin of its mesh, so this check needs both.

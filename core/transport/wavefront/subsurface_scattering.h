@@ -73,7 +73,7 @@ class SubsurfaceProbe {
 
   // The hits on the same object on a segment, from its start.
   size_t hits_along(const Vec3& from, const Vec3& direction, float length, std::array<Hit, kMostHits>& hits) const {
-    const auto instance = static_cast<uint32_t>(exit_.instance - scene_.instances().data());
+    const uint32_t instance = exit_.instance->number;
     Ray ray;
     ray.origin = from;
     ray.direction = direction;

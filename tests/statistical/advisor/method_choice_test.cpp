@@ -184,6 +184,22 @@ TEST(MethodChoice, CausticsOfPointLightsNeedABidirectionalIntegrator) {
 }
 
 // The costs are injected: the integrator that costs nothing wins.
+// The rule for samplers: errors of independent random numbers differ by chance.
+TEST(MethodChoice, SamplersChangeOnlyForAClearGain) {
+  const auto compared = [](double error, double relative_width) {
+    advisor::ComparedMethod m;
+    m.error.value = m.predicted_error = error;
+    m.error.interval = {error * (1 - relative_width), error * (1 + relative_width)};
+    return m;
+  };
+  const auto present = compared(1, 0.5);
+  EXPECT_TRUE(advisor::is_clearly_better(compared(0.8, 0.1), present));
+  EXPECT_FALSE(advisor::is_clearly_better(compared(0.8, 0.3), present)) << "its interval contains the present error";
+  EXPECT_FALSE(advisor::is_clearly_better(compared(0.97, 0.001), present)) << "the gain is too small";
+  EXPECT_FALSE(advisor::is_clearly_better(compared(1.2, 0.1), present));
+  EXPECT_FALSE(advisor::is_clearly_better(compared(0, 0), present)) << "a pilot without error proves nothing";
+}
+
 TEST(MethodChoice, UsesTheGivenCosts) {
   for (const std::string cheap : {"path", "bdpt"}) {
     const auto cost = [&](const render::Status& status, const render::MethodSettings& method) {

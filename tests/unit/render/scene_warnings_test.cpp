@@ -11,7 +11,7 @@ namespace {
 Document room_with_portal(const char* integrator, Vec2 size) {
   Document d = *new_document("cornell");
   auto scene = std::make_shared<scene::Scene>(*d.scene);
-  scene->nodes.front().portal = size;
+  scene->nodes[0].portal = size;
   d.scene = scene;
   d.method.integrator = integrator;
   return d;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/mapped_file.h"
 #include "scene/gltf/file_error.h"
 
 namespace etendue::scene::gltf {
@@ -39,13 +40,18 @@ struct InputFile {
   std::filesystem::path folder;  // base of relative URIs
   std::vector<std::string> warnings;
 
-  std::deque<std::vector<std::byte>> storage;      // owns what `buffers` point into
+  // Own what `buffers` point into.
+  std::deque<std::vector<std::byte>> storage;
+  std::vector<MappedFile> files;
   mutable std::atomic<uint64_t> planned_bytes{0};  // bytes of arrays so far, see check_memory
 };
 
 // Reads and splits the file, opens its buffers, decompresses geometry and parses the structure. Throws FileError;
 // Cancelled if `progress` of the decompression returns false.
 void open_input_file(const std::filesystem::path& path, InputFile& input, const std::function<bool(float)>& progress);
+
+// Throws FileError if a file became shorter while it was read.
+void check_files(const InputFile& input);
 
 // Call before making an array of this many bytes. Throws FileError if all arrays together need more than the size of
 // the file can justify, as when many primitives use one accessor or accessors have no data.

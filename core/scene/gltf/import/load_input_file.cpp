@@ -7,6 +7,7 @@
 #include "scene/gltf/import/container.h"
 #include "scene/gltf/import/decompress.h"
 #include "scene/gltf/import/json_check.h"
+#include "scene/gltf/import/plain_nodes.h"
 #include "scene/gltf/import/uri.h"
 #include "scene/gltf/transport_extension.h"
 
@@ -54,10 +55,11 @@ Buffer find_buffer(InputFile& input, const json& description, size_t index, cons
   }
   const auto file = file_of_uri(input.folder, uri);
   if (!file) return {{}, "has the uri '" + shown_uri(uri) + "', which is not a local file", false};
-  auto bytes = read_file(*file);
-  if (!bytes)
-    return {{}, "cannot be read from '" + shown_uri(uri) + "': " + without_path(bytes.error().message, *file), false};
-  return store(input, std::move(*bytes));
+  auto mapped = MappedFile::open(*file);
+  if (!mapped)
+    return {{}, "cannot be read from '" + shown_uri(uri) + "': " + without_path(mapped.error().message, *file), false};
+  input.files.push_back(std::move(*mapped));
+  return {input.files.back().bytes(), "", false};
 }
 
 void open_buffers(const json& root, const Container& container, InputFile& input) {
@@ -93,6 +95,7 @@ std::string one_line(const std::string& text) {
 void parse_model(json&& root, InputFile& input) {
   root.erase("buffers");
   root.erase("images");
+  PlainNodes plain_nodes(root);
   const std::string text = json_text(root);
   root = nullptr;
   tinygltf::TinyGLTF parser;
@@ -105,6 +108,7 @@ void parse_model(json&& root, InputFile& input) {
     error = thrown.what();
   }
   if (!parsed) throw FileError{"the structure cannot be read: " + one_line(error)};
+  plain_nodes.add_to(input.model.nodes);
 }
 
 }  // namespace
@@ -138,11 +142,11 @@ bool is_supported(const std::string& extension) {
 }
 
 void open_input_file(const std::filesystem::path& path, InputFile& input, const std::function<bool(float)>& progress) {
-  auto file = read_file(path);
+  const auto file = MappedFile::open(path);
   if (!file) throw FileError{without_path(file.error().message, path)};
-  if (file->empty()) throw FileError{"the file is empty; it has to be a .gltf or .glb file"};
+  if (file->bytes().empty()) throw FileError{"the file is empty; it has to be a .gltf or .glb file"};
   input.folder = path.parent_path();
-  const Container container = split_container(*file, input.warnings);
+  const Container container = split_container(file->bytes(), input.warnings);
   json root = parse_json(container.json, input.warnings);
   check_asset(root);
   check_structure(root);
@@ -151,8 +155,12 @@ void open_input_file(const std::filesystem::path& path, InputFile& input, const 
   decompress(root, input, progress);
   check_index_accessors(root);
   parse_model(std::move(root), input);
-  // Moving a vector keeps the address of its bytes, which `buffers` point to.
-  if (container.has_binary) input.storage.push_back(std::move(*file));
+  if (container.has_binary) input.files.push_back(*file);
+}
+
+void check_files(const InputFile& input) {
+  for (const MappedFile& file : input.files)
+    if (file.is_damaged()) throw FileError{"a file became shorter while it was read; load it again"};
 }
 
 void check_memory(const InputFile& input, uint64_t bytes, const std::string& where) {
