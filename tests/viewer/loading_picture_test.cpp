@@ -5,12 +5,14 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <thread>
 
 #include "scene/gltf/load_gltf.h"
 #include "support/textured_gltf.h"
 #include "viewer/files/loader.h"
+#include "viewer/files/loading_picture.h"
 
 namespace etendue::loading_picture_test {
 namespace {
@@ -28,12 +30,10 @@ class LoadingPicture : public testing::Test {
     return file.string();
   }
 
-  // Calls `wait` until the file is open, for at most a minute.
-  template <class Wait>
-  static std::optional<Result<viewer::OpenedFile>> result_of(viewer::Loader& loader, Wait&& wait) {
+  // Waits until the file is open, for at most a minute.
+  static std::optional<Result<viewer::OpenedFile>> result_of(viewer::Loader& loader) {
     for (int i = 0; i < 60'000; ++i) {
       if (auto result = loader.take_result()) return result;
-      wait();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return std::nullopt;
@@ -60,22 +60,45 @@ TEST_F(LoadingPicture, SceneIsCompleteApartFromItsImages) {
   for (size_t i = 0; i < 3; ++i) EXPECT_TRUE(!early.textures[i].image && complete->textures[i].image) << i;
 }
 
-// The textures take much longer to decode than the picture takes.
-TEST_F(LoadingPicture, IsKnownBeforeTheTextures) {
-  const std::string file = written(4, 2048);
-  viewer::Loader loader([] {});
-  loader.open(file, {}, "");
-  std::shared_ptr<const viewer::StoredPicture> picture;
-  const auto opened = result_of(loader, [&] {
-    if (const auto latest = loader.picture()) picture = latest;
+// A scene whose textures have no images yet.
+TEST_F(LoadingPicture, ShowsTheSceneWithoutItsTextures) {
+  const std::string file = written(3, 16);
+  auto scene = scene::load_gltf(file);
+  ASSERT_TRUE(scene);
+  for (Texture& texture : scene->textures) texture.image.reset();
+  std::mutex mutex;
+  std::shared_ptr<const viewer::StoredPicture> shown;
+  const auto latest = [&] {
+    const std::lock_guard lock(mutex);
+    return shown;
+  };
+  viewer::LoadingPicture picture(file, "", [&](std::shared_ptr<const viewer::StoredPicture> p) {
+    const std::lock_guard lock(mutex);
+    shown = std::move(p);
   });
-  ASSERT_TRUE(opened && *opened);
-  ASSERT_TRUE(picture) << "there was no picture before the scene";
-  ASSERT_EQ(picture->pixels.size(), static_cast<size_t>(picture->width) * static_cast<size_t>(picture->height));
-  EXPECT_EQ(picture->width, (*opened)->document.width);
-  // The squares are white without their textures, and the light is that of the environment for scenes without light.
-  const Rgb centre = picture->pixels[picture->pixels.size() / 2 + static_cast<size_t>(picture->width) / 2];
+  const auto start = std::chrono::steady_clock::now();
+  picture.start(*scene);
+  for (int i = 0; i < 60'000 && !latest(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(latest());
+  EXPECT_GE(std::chrono::steady_clock::now() - start, viewer::LoadingPicture::kPatience);
+  const viewer::StoredPicture& p = *latest();
+  ASSERT_EQ(p.pixels.size(), static_cast<size_t>(p.width) * static_cast<size_t>(p.height));
+  // The squares are white without their textures, and the light is that of scenes without light.
+  const Rgb centre = p.pixels[p.pixels.size() / 2 + static_cast<size_t>(p.width) / 2];
   EXPECT_GT(std::min({centre.r, centre.g, centre.b}), 0.05f);
+}
+
+TEST_F(LoadingPicture, EndsWithItsObject) {
+  const std::string file = written(1, 16);
+  const auto scene = scene::load_gltf(file);
+  ASSERT_TRUE(scene);
+  const auto start = std::chrono::steady_clock::now();
+  bool is_shown = false;
+  for (int i = 0; i < 20; ++i) {
+    viewer::LoadingPicture picture(file, "", [&](const auto&) { is_shown = true; });
+    picture.start(*scene);
+  }
+  EXPECT_FALSE(is_shown) << "after " << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 TEST_F(LoadingPicture, DefectiveImagesAndCancelledFilesEndIt) {
@@ -86,7 +109,7 @@ TEST_F(LoadingPicture, DefectiveImagesAndCancelledFilesEndIt) {
   loader.cancel();
   EXPECT_FALSE(loader.picture());
   loader.open(file, {}, "");
-  const auto opened = result_of(loader, [] {});
+  const auto opened = result_of(loader);
   ASSERT_TRUE(opened && *opened);
   const scene::Scene& scene = *(*opened)->document.scene;
   EXPECT_TRUE(scene.textures[0].image);

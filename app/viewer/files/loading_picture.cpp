@@ -1,12 +1,23 @@
 #include "viewer/files/loading_picture.h"
 
+#include <condition_variable>
+#include <mutex>
+
 #include "render/automatic_exposure.h"
-#include "render/default_light.h"
 #include "render/document_of_scene.h"
 
 namespace etendue::viewer {
 
 void LoadingPicture::start(const scene::Scene& scene) {
+  waiting_ = std::jthread([this, scene](const std::stop_token& stop) {
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any().wait_for(lock, stop, kPatience, [] { return false; });
+    if (!stop.stop_requested()) render(scene);
+  });
+}
+
+void LoadingPicture::render(const scene::Scene& scene) {
   auto document = render::document_of(scene, file_);
   if (document && document->lit_by_default && !environment_.empty())
     document = render::with_environment(*document, environment_);

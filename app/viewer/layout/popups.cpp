@@ -44,8 +44,10 @@ void draw_loading(AppState& state) {
       state.has_document() && state.session->status().phase == "compiling" && !state.viewport.frame;
   if (!loader.is_busy() && !is_compiling) return;
   const Placement& region = state.viewport.region;
-  const Vec2 centre = region.corner + region.size * 0.5f;
-  ImGui::SetNextWindowPos({centre.x, centre.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  // In the centre, or below the picture of the file.
+  const bool has_picture = state.viewport.stored_picture != nullptr;
+  const Vec2 at = region.corner + region.size * (has_picture ? Vec2(0.5f, 0.98f) : Vec2(0.5f));
+  ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {0.5f, has_picture ? 1.0f : 0.5f});
   ImGui::Begin("##loading", nullptr, kPopup);
   const std::string text =
       loader.is_busy() ? "Opening " + base_name(loader.file()) : "Building acceleration structures";
