@@ -87,17 +87,21 @@ class BidirectionalSubpaths {
   // ---- Techniques.
 
   // Whether any technique of the path has more than one light vertex, or more than one camera vertex.
-  bool has_light_subpath(int path) const { return techniques_.empty() || technique(path).s > 1; }
-  bool has_camera_subpath(int path) const { return techniques_.empty() || technique(path).t > 1; }
+  bool has_light_subpath(int path) const {
+    return techniques_.empty() || technique(path).has_more_light_vertices_than(1);
+  }
+  bool has_camera_subpath(int path) const {
+    return techniques_.empty() || technique(path).has_more_camera_vertices_than(1);
+  }
   // Whether any technique needs further vertices beyond the current hit i.
   bool continues_from_light(int i) const {
-    return techniques_.empty() || light.length() + 1 < technique(light.path_at(i)).s;
+    return techniques_.empty() || technique(light.path_at(i)).has_more_light_vertices_than(light.length() + 1);
   }
   bool continues_from_camera(int i) const {
-    return techniques_.empty() || camera.length() + 1 < technique(camera.path_at(i)).t;
+    return techniques_.empty() || technique(camera.path_at(i)).has_more_camera_vertices_than(camera.length() + 1);
   }
   bool contributes(int path, int s, int t) const {
-    if (!techniques_.empty() && (technique(path).s != s || technique(path).t != t)) return false;
+    if (!techniques_.empty() && !technique(path).includes(s, t)) return false;
     return options_->contributes(s, t);
   }
 
@@ -105,7 +109,7 @@ class BidirectionalSubpaths {
   bool needs_light(int path) const {
     if (techniques_.empty()) return true;
     const Technique& t = technique(path);
-    return t.s > 1 || (t.s == 1 && t.t == 1);
+    return t.has_more_light_vertices_than(1) || t.includes(1, 1);
   }
 
   // ---- Vertices.
@@ -481,7 +485,7 @@ class BidirectionalSubpaths {
 
   const RenderContext* context_ = nullptr;
   const BidirectionalOptions* options_ = nullptr;
-  std::span<const Technique> techniques_;             // the only technique of each path; empty: all
+  std::span<const Technique> techniques_;             // the only techniques of each path; empty: all
   std::array<Technique, kPaths> sampled_techniques_;  // without reuse
   PerPath<float> inverse_probability_;                // of the sampled technique
   float pixels_ = 1;                                  // area of the image in pixels

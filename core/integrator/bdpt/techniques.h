@@ -9,9 +9,17 @@
 
 namespace etendue::integrator {
 
-// A bidirectional technique: s vertices from the light, t from the camera.
+// A bidirectional technique: s vertices from the light, t from the camera. Or several: all with s vertices from the light
+// and at least two from the camera, or all with t vertices from the camera.
 struct Technique {
+  static constexpr int kAny = -1;
   int s, t;
+
+  bool includes(int light_vertices, int camera_vertices) const {
+    return (s == kAny || s == light_vertices) && (t == kAny ? camera_vertices >= 2 : t == camera_vertices);
+  }
+  bool has_more_light_vertices_than(int count) const { return s == kAny || s > count; }
+  bool has_more_camera_vertices_than(int count) const { return t == kAny || t > count; }
 };
 
 class Techniques {

@@ -9,7 +9,7 @@ namespace etendue::integrator {
 struct PrimarySamplePaths {
   const Sampler *camera, *light;            // random numbers of the camera and light subpaths
   std::span<const uint32_t> seeds;          // of each path, for both subpaths
-  std::span<const Technique> techniques{};  // the only technique of each path; empty: all
+  std::span<const Technique> techniques{};  // the only techniques of each path; empty: all
   uint32_t light_salt = 0x68e31da4U;        // makes opacity decisions of the two subpaths independent
 };
 

@@ -1,6 +1,7 @@
 // The target function of Markov chains in primary sample space, in the three forms of pssmlt.cpp.
 #pragma once
 #include "integrator/bdpt/bidirectional_sampler.h"
+#include "integrator/pssmlt/primary_sample_paths.h"
 #include "integrator/pssmlt/technique_distribution.h"
 #include "sampling/primary_sample_sampler.h"
 
@@ -17,7 +18,7 @@ class PrimarySampleTarget {
   std::array<uint64_t, kLanes> roots;       // of each point: the key of its last large step
   std::array<film::Splats, kLanes> splats;  // its contributions to pixels
   std::array<float, kLanes> targets;        // the luminance of their sum
-  std::array<uint16_t, kLanes> kinds{};     // the technique, in the multiplexed form
+  std::array<uint16_t, kLanes> kinds{};     // the set of techniques, in the multiplexed form
 
   // Evaluates the first `lanes` proposals. Returns the number of rays, or nothing if it was cancelled.
   std::optional<uint64_t> evaluate(const RenderContext& context, PrimaryForm form, const BidirectionalOptions& options,
@@ -42,8 +43,9 @@ class PrimarySampleTarget {
 
   template <class M>
   std::optional<uint64_t> evaluate_with(const RenderContext& context, PrimaryForm form,
-                                        const BidirectionalOptions& options, const TechniqueDistribution& distribution,
-                                        size_t lanes, const TaskContext& task_context) {
+                                        const BidirectionalOptions& options,
+                                        const TechniqueDistribution& distribution, size_t lanes,
+                                        const TaskContext& task_context) {
     PrimarySamplePaths primary{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
     if (form == PrimaryForm::path) return evaluate_path<M>(context, options, primary, task_context);
     if (form == PrimaryForm::multiplexed) {
@@ -92,13 +94,11 @@ class PrimarySampleTarget {
     }
   }
 
-  // The path length is constant between large steps.
   void choose_techniques(const TechniqueDistribution& distribution, size_t lanes) {
     const auto& choices = proposals.blocks({seeds_.data(), lanes}, kBoth, 0).values;
     for (size_t i = 0; i < lanes; ++i) {
-      const auto length = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
-      const auto choice = distribution.choose(length, choices[i][0]);
-      techniques_[i] = choice.technique;
+      const auto choice = distribution.choose(choices[i][0]);
+      techniques_[i] = choice.techniques;
       kinds[i] = choice.kind;
       inverse_probability_[i] = 1 / choice.probability;
     }

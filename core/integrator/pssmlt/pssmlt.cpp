@@ -11,11 +11,13 @@
 //
 //    path           a path from the camera with direct light at every vertex
 //    bidirectional  subpaths from both ends with all their connections
-//    multiplexed    one technique (s, t) for paths of one length, multiplied by its MIS weight and divided by its
-//                   probability [Hachisuka et al. 2014]. Small steps change the technique but not the length. The
-//                   probabilities are learned (technique_distribution.h).
+//    multiplexed    some of the techniques (s, t): all with the same s and t > 1, or all with the same t < 2, multiplied
+//                   by their MIS weights and divided by the probability of this choice. Small steps change the choice.
+//                   The probabilities are learned (technique_distribution.h). After [Hachisuka et al. 2014], where a
+//                   sample has a single technique; with all lengths of a camera path it costs little more, and varies
+//                   much less.
 //
-// Decisions of stochastic opacity and the length are made in large steps and are constant in between.
+// Decisions of stochastic opacity are made in large steps and are constant in between.
 //
 //   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L, E(D|G|V).*L and E.*(D|G|V)(D|G|V).*L
 //   Bias          consistent
