@@ -12,4 +12,8 @@ double time_per_ray(std::string_view integrator);
 // Whether the integrator has a measured cost; every integrator of the registry should.
 bool has_measured_cost(std::string_view integrator);
 
+// The integrator of which this one is a variant that spends more on each sample, by branching or learning; empty if there is
+// none.
+std::string_view plain_form_of(std::string_view integrator);
+
 }  // namespace etendue::advisor

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "advisor/class_energy.h"
+#include "advisor/integrator_costs.h"
 #include "advisor/minimised_error.h"
 #include "advisor/reference_integrator.h"
 #include "advisor/report_numbers.h"
@@ -219,6 +220,7 @@ class Chooser {
       p.budget_samples = (1 - kSamplerShare) * budget_samples();
     }
     Comparison comparison = compare_methods(session_, document_, candidates, p, progress_);
+    put_plain_form_first(comparison.methods);
     for (const ComparedMethod& m : comparison.methods)
       choice_.considered.push_back(considered(m, choice_.measure, m.method.integrator));
     if (std::isfinite(comparison.methods[0].predicted_error)) choice_.method = comparison.methods[0].method;
@@ -236,8 +238,11 @@ class Chooser {
       choice_.reason = choice_.method.integrator + " without a comparison: the pilots were too short to measure errors";
       return;
     }
-    choice_.reason = best.method.integrator + " has the smallest predicted " + minimised_label(choice_.measure) + " (" +
-                     minimised_text(choice_.measure, best.predicted_error) + ")";
+    const bool is_smallest = std::ranges::none_of(
+        comparison.methods, [&](const ComparedMethod& m) { return m.predicted_error < best.predicted_error; });
+    choice_.reason = best.method.integrator + (is_smallest ? " has the smallest" : " is not clearly worse: its") +
+                     " predicted " + minimised_label(choice_.measure) + (is_smallest ? " (" : " is ") +
+                     minimised_text(choice_.measure, best.predicted_error) + (is_smallest ? ")" : "");
     for (size_t i = 1; i < comparison.methods.size(); ++i) {
       const ComparedMethod& m = comparison.methods[i];
       if (m.misses_light)
@@ -294,6 +299,15 @@ bool is_clearly_better(const ComparedMethod& a, const ComparedMethod& b) {
   constexpr double kLeastGain = 0.95;
   const double uncertainty = a.error.value > 0 ? a.error.interval.high / a.error.value : INFINITY;
   return a.predicted_error * std::max(uncertainty, 1 / kLeastGain) < b.predicted_error;
+}
+
+void put_plain_form_first(std::vector<ComparedMethod>& methods) {
+  if (methods.empty() || !std::isfinite(methods[0].predicted_error)) return;
+  const std::string_view name = plain_form_of(methods[0].method.integrator);
+  const auto plain = std::ranges::find_if(methods, [&](const ComparedMethod& m) {
+    return m.method.integrator == name && std::isfinite(m.predicted_error) && !m.misses_light;
+  });
+  if (plain != methods.end() && !is_clearly_better(methods[0], *plain)) std::rotate(methods.begin(), plain, plain + 1);
 }
 
 Result<MethodChoice> choose_method(render::Session& session, const render::Document& document,

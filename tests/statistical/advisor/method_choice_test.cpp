@@ -200,6 +200,28 @@ TEST(MethodChoice, SamplersChangeOnlyForAClearGain) {
   EXPECT_FALSE(advisor::is_clearly_better(compared(0, 0), present)) << "a pilot without error proves nothing";
 }
 
+TEST(MethodChoice, VariantsReplaceTheirPlainFormOnlyForAClearGain) {
+  const auto order = [](double variant_error, double variant_width) {
+    const auto compared = [](const char* integrator, double error, double relative_width) {
+      advisor::ComparedMethod m;
+      m.method.integrator = integrator;
+      m.error.value = m.predicted_error = error;
+      m.error.interval = {error * (1 - relative_width), error * (1 + relative_width)};
+      return m;
+    };
+    std::vector<advisor::ComparedMethod> methods{compared("bdpt-guided", variant_error, variant_width),
+                                                 compared("path", 0.9, 0.1), compared("bdpt", 1, 0.1)};
+    advisor::put_plain_form_first(methods);
+    std::string names;
+    for (const auto& m : methods) names += m.method.integrator + " ";
+    return names;
+  };
+  EXPECT_EQ(order(0.5, 0.1), "bdpt-guided path bdpt ");
+  EXPECT_EQ(order(0.8, 0.5), "bdpt bdpt-guided path ");
+  EXPECT_EQ(order(0.97, 0.001), "bdpt bdpt-guided path ");
+  EXPECT_EQ(order(INFINITY, 0.1), "bdpt-guided path bdpt ") << "nothing is known";
+}
+
 TEST(MethodChoice, UsesTheGivenCosts) {
   for (const std::string cheap : {"path", "bdpt"}) {
     const auto cost = [&](const render::Status& status, const render::MethodSettings& method) {
