@@ -220,7 +220,7 @@ class Chooser {
       p.budget_samples = (1 - kSamplerShare) * budget_samples();
     }
     Comparison comparison = compare_methods(session_, document_, candidates, p, progress_);
-    put_plain_form_first(comparison.methods);
+    demote_unclear_variants(comparison.methods);
     for (const ComparedMethod& m : comparison.methods)
       choice_.considered.push_back(considered(m, choice_.measure, m.method.integrator));
     if (std::isfinite(comparison.methods[0].predicted_error)) choice_.method = comparison.methods[0].method;
@@ -301,13 +301,17 @@ bool is_clearly_better(const ComparedMethod& a, const ComparedMethod& b) {
   return a.predicted_error * std::max(uncertainty, 1 / kLeastGain) < b.predicted_error;
 }
 
-void put_plain_form_first(std::vector<ComparedMethod>& methods) {
-  if (methods.empty() || !std::isfinite(methods[0].predicted_error)) return;
-  const std::string_view name = plain_form_of(methods[0].method.integrator);
-  const auto plain = std::ranges::find_if(methods, [&](const ComparedMethod& m) {
-    return m.method.integrator == name && std::isfinite(m.predicted_error) && !m.misses_light;
-  });
-  if (plain != methods.end() && !is_clearly_better(methods[0], *plain)) std::rotate(methods.begin(), plain, plain + 1);
+void demote_unclear_variants(std::vector<ComparedMethod>& methods) {
+  const auto is_unclear_variant = [&] {
+    if (methods.empty() || !std::isfinite(methods[0].predicted_error)) return methods.end();
+    const std::string_view name = plain_form_of(methods[0].method.integrator);
+    const auto plain = std::ranges::find_if(methods, [&](const ComparedMethod& m) {
+      return m.method.integrator == name && std::isfinite(m.predicted_error) && !m.misses_light;
+    });
+    return plain != methods.end() && !is_clearly_better(methods[0], *plain) ? plain : methods.end();
+  };
+  for (auto plain = is_unclear_variant(); plain != methods.end(); plain = is_unclear_variant())
+    std::rotate(methods.begin(), methods.begin() + 1, plain + 1);
 }
 
 Result<MethodChoice> choose_method(render::Session& session, const render::Document& document,

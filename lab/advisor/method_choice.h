@@ -66,9 +66,10 @@ Result<MethodChoice> choose_method(render::Session& session, const render::Docum
 // chance would be chosen otherwise.
 bool is_clearly_better(const ComparedMethod& a, const ComparedMethod& b);
 
-// Methods in ascending order of their predicted errors: moves the plain form of the first one to the front, if the first
-// one is not clearly better. A variant spends more on each sample, and pilots may be too short to show what that gains.
-void put_plain_form_first(std::vector<ComparedMethod>& methods);
+// Methods in ascending order of their predicted errors: while the first one is a variant that is not clearly better than
+// its plain form, moves it behind that. A variant spends more on each sample, and pilots may be too short to show what
+// that gains.
+void demote_unclear_variants(std::vector<ComparedMethod>& methods);
 
 // The document with the chosen method and the reason.
 render::Document with_choice(render::Document document, const MethodChoice& choice);
