@@ -68,18 +68,32 @@ Error cannot_read(const std::filesystem::path& path) {
   return input_error(path.string() + ": cannot be read: " + std::strerror(errno));
 }
 
-struct Descriptor {
-  int number;
+class Descriptor {
+ public:
+  explicit Descriptor(const std::filesystem::path& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
   ~Descriptor() {
-    if (number >= 0) close(number);
+    if (number_ >= 0) close(number_);
   }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  // Of the file, in bytes; negative if it is unknown.
+  int64_t size() const {
+    struct stat status {};
+    return number_ >= 0 && fstat(number_, &status) == 0 ? static_cast<int64_t>(status.st_size) : -1;
+  }
+
+ private:
+  int number_;
 };
 
 }  // namespace
 
 class MappedFile::Mapping {
  public:
-  Mapping(void* address, size_t size, AddressRange* range) : address_(address), size_(size), range_(range) {}
+  Mapping(void* address, size_t size, AddressRange* range, std::unique_ptr<const Descriptor> file)
+      : address_(address), size_(size), range_(range), file_(std::move(file)) {}
   ~Mapping() {
     range_->end = 0;
     range_->begin = 0;
@@ -88,12 +102,14 @@ class MappedFile::Mapping {
   Mapping(const Mapping&) = delete;
   Mapping& operator=(const Mapping&) = delete;
 
-  bool is_damaged() const { return range_->is_damaged; }
+  // The rest of the last page of a file reads as zero without a signal, so its size counts as well.
+  bool is_damaged() const { return range_->is_damaged || file_->size() < static_cast<int64_t>(size_); }
 
  private:
   void* address_;
   size_t size_;
   AddressRange* range_;
+  std::unique_ptr<const Descriptor> file_;
 };
 
 bool MappedFile::is_damaged() const { return mapping_ && mapping_->is_damaged(); }
@@ -105,13 +121,13 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
     return file;
   }
   if (const auto ok = check_readable(path); !ok) return ok.error();
-  const Descriptor descriptor{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  struct stat status {};
-  if (descriptor.number < 0 || fstat(descriptor.number, &status) != 0) return cannot_read(path);
+  auto descriptor = std::make_unique<const Descriptor>(path);
+  const int64_t found_size = descriptor->size();
+  if (found_size < 0) return cannot_read(path);
   note_file_read(path);
-  const auto size = static_cast<size_t>(status.st_size);
+  const auto size = static_cast<size_t>(found_size);
   if (size == 0) return file;
-  void* address = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor.number, 0);
+  void* address = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor->number(), 0);
   if (address == MAP_FAILED) return cannot_read(path);
   AddressRange* range = claim_range(reinterpret_cast<uintptr_t>(address), size);
   if (!range) {
@@ -125,7 +141,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
   install_handler();
   madvise(address, size, MADV_WILLNEED);
   file.bytes_ = {static_cast<const std::byte*>(address), size};
-  file.mapping_ = std::make_shared<const Mapping>(address, size, range);
+  file.mapping_ = std::make_shared<const Mapping>(address, size, range, std::move(descriptor));
   return file;
 }
 

@@ -19,7 +19,7 @@ class MappedFile {
   static Result<MappedFile> open(const std::filesystem::path& path);
 
   std::span<const std::byte> bytes() const { return bytes_; }
-  // Whether the file has become shorter since, and bytes were used that it does not have any more.
+  // Whether the file is shorter than when it was opened, or was when its bytes were used.
   bool is_damaged() const;
 
  private:

@@ -342,10 +342,15 @@ class Compiler {
     r.report_.materials_built = true;
   }
 
+  bool same_bounds() const {
+    return result_->bounds_.min == previous_->bounds_.min && result_->bounds_.max == previous_->bounds_.max;
+  }
+
   // Solids depend on the positions of their boundaries and on some parameters of their materials.
   bool same_solids() const {
     if (!previous_ || result_->report_.top_level_built) return false;
     if (!(scene_->atmosphere == previous_->description().atmosphere)) return false;
+    if (!scene_->atmosphere.medium.is_clear() && !same_bounds()) return false;  // its centre is that of the bounds
     if (!result_->report_.materials_built) return true;
     const std::vector<SurfaceMaterial>&a = *result_->materials_, &b = *previous_->materials_;
     return std::ranges::equal(a, b, [](const SurfaceMaterial& x, const SurfaceMaterial& y) {
@@ -423,8 +428,7 @@ class Compiler {
     if (!(scene_->atmosphere == old.atmosphere)) return false;
     if (result_->report_.top_level_built && portals() != previous_->lights_->portals().all()) return false;
     if (result_->report_.materials_built && !same_emission(*scene_, old)) return false;
-    const Bounds &a = result_->bounds_, &b = previous_->bounds_;
-    if (a.min != b.min || a.max != b.max) return false;
+    if (!same_bounds()) return false;
     if (!result_->report_.top_level_built) return true;  // moved instances do not emit light
     return same_light_places(*scene_, old) &&
            same_emitters(*result_->instances_, *previous_->instances_, *result_->materials_);

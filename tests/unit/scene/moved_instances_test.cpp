@@ -168,6 +168,19 @@ TEST(MovedInstances, BoundsFollowTheOutermostObject) {
   EXPECT_GT(twice->bounds().min.y, -0.5f);
 }
 
+// The atmosphere is a sphere about the centre of the bounds.
+TEST(MovedInstances, AtmosphereFollowsTheBounds) {
+  Scene scene = block_of_cubes();
+  scene.atmosphere.medium.scattering = Rgb(0.01f);
+  scene.atmosphere.radius = 100;
+  const Compiled first = compiled(std::move(scene));
+  ASSERT_TRUE(first->solids().atmosphere());
+  const Compiled after = moved(first, 0, {0, -6, 0}), fresh = compiled(after->description());
+  EXPECT_FALSE(after->report().top_level_built);
+  EXPECT_NE(after->solids().atmosphere()->centre, first->solids().atmosphere()->centre);
+  EXPECT_EQ(after->solids().atmosphere()->centre, fresh->solids().atmosphere()->centre);
+}
+
 TEST(MovedInstances, LightsAndSolidsGetANewTopLevel) {
   Scene scene = block_of_cubes();
   Material green = scene::glass();
